@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+# Finds what Rivage stands on and says which Debian package to install where something is missing.
+function(rivage_require found package what)
+    if(NOT ${found})
+        message(FATAL_ERROR "${what} was not found. On Debian or Ubuntu: apt install ${package} "
+                            "(all packages at once: cmake/debian_packages.txt)")
+    endif()
+endfunction()
+
+find_package(Threads REQUIRED)
+find_package(MPI COMPONENTS CXX)
+rivage_require(MPI_CXX_FOUND "openmpi-bin libopenmpi-dev" "Open MPI")
+
+# Debian keeps the serial and the parallel HDF5 side by side; only the parallel one will do.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HDF5_PARALLEL IMPORTED_TARGET hdf5-openmpi)
+if(HDF5_PARALLEL_FOUND)
+    add_library(rivage_hdf5 INTERFACE)
+    target_link_libraries(rivage_hdf5 INTERFACE PkgConfig::HDF5_PARALLEL)
+    add_library(rivage::hdf5 ALIAS rivage_hdf5)
+else()
+    set(HDF5_PREFER_PARALLEL ON)
+    find_package(HDF5 COMPONENTS C)
+    rivage_require(HDF5_IS_PARALLEL "libhdf5-openmpi-dev" "Parallel HDF5")
+    add_library(rivage_hdf5 INTERFACE)
+    target_link_libraries(rivage_hdf5 INTERFACE HDF5::HDF5)
+    add_library(rivage::hdf5 ALIAS rivage_hdf5)
+endif()
+
+find_path(METIS_INCLUDE_DIR metis.h)
+find_library(METIS_LIBRARY metis)
+if(METIS_INCLUDE_DIR AND METIS_LIBRARY)
+    add_library(rivage_metis INTERFACE)
+    target_include_directories(rivage_metis INTERFACE "${METIS_INCLUDE_DIR}")
+    target_link_libraries(rivage_metis INTERFACE "${METIS_LIBRARY}")
+    add_library(rivage::metis ALIAS rivage_metis)
+endif()
+rivage_require(METIS_LIBRARY "libmetis-dev" "METIS")
+
+foreach(entry "Eigen3;libeigen3-dev" "fmt;libfmt-dev" "spdlog;libspdlog-dev" "CLI11;libcli11-dev"
+              "tomlplusplus;libtomlplusplus-dev")
+    list(GET entry 0 name)
+    list(GET entry 1 package)
+    find_package(${name} QUIET)
+    rivage_require(${name}_FOUND ${package} ${name})
+endforeach()
+if(RIVAGE_TESTS)
+    find_package(GTest QUIET)
+    rivage_require(GTest_FOUND libgtest-dev GoogleTest)
+    find_package(benchmark QUIET)
+    rivage_require(benchmark_FOUND libbenchmark-dev "Google Benchmark")
+endif()
+find_program(RIVAGE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
