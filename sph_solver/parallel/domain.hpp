@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/foundation/communicator.hpp"
+#include "coupler_lib/foundation/scatter.hpp"
+#include "sph_solver/parallel/block_map.hpp"
+#include "sph_solver/state/canonical_order.hpp"
+#include "sph_solver/state/particles.hpp"
+
+#include <span>
+#include <vector>
+
+namespace sph {
+
+/// When to cut the domain anew.
+struct RebalanceSettings {
+    double limit = 1.15;       ///< largest work of a rank over the mean that is put up with [-]
+    int rebuilds_between = 20;  ///< rebuilds that must pass between two cuts
+};
+
+/// The fluid spread over the ranks: who owns which particle and who needs copies of it.
+///
+/// Space is divided into blocks two cells wide; each occupied block has one owner, found by cutting the weighted graph
+/// of blocks. A particle belongs to the owner of its block. Halo copies are all foreign particles within `reach` of a
+/// block of mine. Every particle's neighbours thus are present where it is owned, in the one canonical order, and
+/// results do not depend on the cut.
+template <int D>
+class Domain {
+public:
+    /// \param grid the neighbour search's grid: its cells, `reach` wide, define the canonical order
+    Domain(const base::Communicator& comm, const CellGrid<D>& grid, const RebalanceSettings& settings = {});
+
+    /// Sends every particle to its owner, then makes the halo copies and sorts everything canonically. Collective.
+    ///
+    /// \pre conserved fields of the owned particles are valid; where they lie and in which order does not matter
+    /// \post conserved fields of all local particles are valid; derived fields have entries, but must be recomputed;
+    ///       `owned`, `is_owned` and the scatter are new, neighbour lists are void
+    void redistribute(Particles<D>& particles);
+
+    /// Sends position, volume, mass and momentum to the halo copies. Collective.
+    void refresh_state(Particles<D>& particles) const;
+
+    /// Sends the gradients of density and velocity to the halo copies. Collective.
+    void refresh_gradients(Particles<D>& particles) const;
+
+    /// Tells how much work each owned particle is (neighbours, say): the weights of the next cut. Local.
+    void record_work(const Particles<D>& particles, std::span<const std::size_t> row_offsets);
+
+    [[nodiscard]] const base::Communicator& comm() const { return comm_; }
+    [[nodiscard]] const base::Scatter& scatter() const { return scatter_; }
+    [[nodiscard]] const BlockMap<D>& blocks() const { return blocks_; }
+    [[nodiscard]] int cuts() const { return cuts_; }
+
+private:
+    void sort_alone(Particles<D>& particles);
+    void update_blocks(const Particles<D>& particles);
+    [[nodiscard]] bool unbalanced();
+    void migrate(Particles<D>& particles);
+    void exchange_halo(Particles<D>& particles);
+    [[nodiscard]] std::vector<std::vector<int>> halo_for_ranks(const Particles<D>& particles) const;
+    [[nodiscard]] bool within_reach(const Vec<D>& x, CellKey block) const;
+    void make_scatter(const std::vector<std::vector<int>>& sent, const std::vector<int>& received,
+                      const std::vector<int>& new_index);
+
+    base::Communicator comm_;
+    CellGrid<D> cells_;
+    BlockMap<D> blocks_;
+    RebalanceSettings settings_;
+    base::Scatter scatter_;
+    std::vector<BlockWork> work_;     ///< of my blocks, from the last record_work
+    int rebuilds_since_cut_ = 0;
+    int cuts_ = 0;
+    double best_imbalance_ = 1.0;     ///< what the last cut achieved
+};
+
+}  // namespace sph
