@@ -8,6 +8,7 @@ add_library(rivage_options INTERFACE)
 add_library(rivage::options ALIAS rivage_options)
 target_compile_features(rivage_options INTERFACE cxx_std_20)
 target_include_directories(rivage_options INTERFACE "${CMAKE_SOURCE_DIR}")
+target_compile_definitions(rivage_options INTERFACE OMPI_SKIP_MPICXX)
 target_compile_options(rivage_options INTERFACE
     -Wall -Wextra -Wshadow -Wnon-virtual-dtor -fno-math-errno -fno-trapping-math -ffp-contract=off
     $<$<CONFIG:Release>:-O3> $<$<BOOL:${RIVAGE_NATIVE}>:-march=native> $<$<BOOL:${RIVAGE_WERROR}>:-Werror>)

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/base/config.hpp"
+
+#include "coupler_lib/base/nearest_name.hpp"
+#include "coupler_lib/foundation/check.hpp"
+
+#include <fmt/format.h>
+#include <sstream>
+
+namespace base {
+
+ConfigReader ConfigReader::describe()
+{
+    ConfigReader reader{ConfigDocument::parse("", "")};
+    reader.describing_ = true;
+    return reader;
+}
+
+const ConfigNode* ConfigReader::node_at(const std::string& path) const
+{
+    const ConfigNode* node = &document_.root();
+    std::istringstream parts(path);
+    for (std::string part; node && std::getline(parts, part, '.');) node = node->find(part);
+    return node;
+}
+
+std::string ConfigReader::where(const std::string& path) const
+{
+    const ConfigNode* node = node_at(path);
+    return node ? node->where : document_.file_name() + ": [" + path + "]";
+}
+
+std::vector<const ConfigNode*> ConfigReader::elements_at(const std::string& path)
+{
+    known_paths_.insert(path);
+    std::vector<const ConfigNode*> elements;
+    const ConfigNode* node = node_at(path);
+    if (!node) return elements;
+    const bool is_empty = node->is_array() && std::get<ConfigNode::Array>(node->value).empty();
+    require_input(node->is_array_of_tables() || is_empty, node->where, ": '", path, "' wants tables, each headed [[", path,
+                  "]], not ", node->kind());
+    claimed_.insert(node);
+    for (const auto& item : std::get<ConfigNode::Array>(node->value)) elements.push_back(&item);
+    return elements;
+}
+
+std::vector<std::string> ConfigReader::names_at(const std::string& path)
+{
+    known_paths_.insert(path);
+    std::vector<std::string> names;
+    const ConfigNode* node = node_at(path);
+    if (!node) return names;
+    require_input(node->is_table(), node->where, ": '", path, "' wants tables [", path, ".NAME], not ", node->kind());
+    claimed_.insert(node);
+    for (const auto& [name, child] : std::get<ConfigNode::Table>(node->value)) {
+        known_keys_.emplace(node, name);
+        names.push_back(name);
+    }
+    return names;
+}
+
+void ConfigReader::read_table(const std::string& path, const ConfigNode* node, const std::string& doc,
+                              const std::vector<ConfigKey>& keys, void* object)
+{
+    known_paths_.insert(path);
+    require_input(!node || node->is_table(), node ? node->where : "", ": '", path, "' must be a table [", path, "]");
+    if (describing_) {
+        record(path, doc, keys, object);
+        return;
+    }
+    if (node) claimed_.insert(node);
+    for (const auto& key : keys) {
+        const ConfigNode* child = node ? node->find(key.name) : nullptr;
+        if (node) known_keys_.emplace(node, key.name);
+        require_input(child || !key.info.required, node ? node->where : document_.file_name(), ": '", key.name, "' is missing in [",
+                      path, "]: ", key.info.doc, key.info.unit.empty() ? "" : " [" + key.info.unit + "]");
+        if (!child) continue;
+        claimed_.insert(child);
+        key.set(object, *child);
+    }
+    record(path, doc, keys, object);
+}
+
+void ConfigReader::record(const std::string& path, const std::string& doc, const std::vector<ConfigKey>& keys,
+                          const void* object)
+{
+    const std::string header = path.empty() ? "" : "[" + path + "]";
+    used_ += header + "\n";
+    help_ += fmt::format("{}  # {}\n", header, doc);
+    for (const auto& key : keys) {
+        const std::string unit = key.info.unit.empty() ? "" : " [" + key.info.unit + "]";
+        used_ += fmt::format("{} = {}{}\n", key.name, key.print(object), unit.empty() ? "" : "  #" + unit);
+        const std::string range = key.range_text();
+        help_ += fmt::format("  {:<24} {}{}, default {}{}\n      {}\n", key.name, key.type, unit, key.default_text(object),
+                             range.empty() ? "" : ", " + range, key.info.doc);
+    }
+    used_ += "\n";
+    help_ += "\n";
+}
+
+void ConfigReader::finish() const { check_claimed(document_.root(), ""); }
+
+void ConfigReader::check_claimed(const ConfigNode& table, const std::string& path) const
+{
+    for (const auto& [name, child] : std::get<ConfigNode::Table>(table.value)) {
+        const std::string child_path = path.empty() ? name : path + "." + name;
+        const bool is_group = child.is_table() || child.is_array_of_tables();
+        bool inside_known = claimed_.contains(&child);
+        for (const auto& known : known_paths_) inside_known |= is_group && known.rfind(child_path + ".", 0) == 0;
+        if (!inside_known) {
+            std::vector<std::string> known;
+            for (const auto& [owner, key] : known_keys_)
+                if (owner == &table) known.push_back(key);
+            const std::string prefix = path.empty() ? "" : path + ".";
+            for (const auto& other : known_paths_) {
+                const std::string bare = other.rfind("[", 0) == 0 ? other.substr(1, other.size() - 2) : other;
+                if (bare.rfind(prefix, 0) == 0 && bare.size() > prefix.size()) known.push_back(bare.substr(prefix.size()));
+            }
+            throw Error(ExitCode::bad_input, text(child.where, ": unknown ", is_group ? "table" : "key", " '", child_path, "'",
+                                                  suggestion(name, known)));
+        }
+        if (child.is_table()) check_claimed(child, child_path);
+        if (child.is_array_of_tables())
+            for (const auto& item : std::get<ConfigNode::Array>(child.value)) check_claimed(item, child_path);
+    }
+}
+
+}  // namespace base
