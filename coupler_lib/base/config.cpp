@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/base/config.hpp"
 
-#include "coupler_lib/base/nearest_name.hpp"
+#include "coupler_lib/foundation/nearest_name.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
 #include <fmt/format.h>

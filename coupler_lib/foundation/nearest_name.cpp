@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "coupler_lib/base/nearest_name.hpp"
+#include "coupler_lib/foundation/nearest_name.hpp"
 
 #include <algorithm>
 #include <numeric>
