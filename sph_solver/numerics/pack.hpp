@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -56,7 +58,12 @@ inline Pack select_positive(Pack sign, Pack if_positive, Pack otherwise)
 /// Sum over the lanes, always in the same tree: (0 + 1) + (2 + 3).
 inline double sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
-inline Pack load_pack(const double* from) { return Pack{from[0], from[1], from[2], from[3]}; }
+inline Pack load_pack(const double* from)
+{
+    Pack pack;
+    std::memcpy(&pack, from, sizeof(pack));
+    return pack;
+}
 
 /// Turns four rows of four numbers into four columns: out[c] holds component c of the rows 0..3.
 inline std::array<Pack, 4> transpose(Pack row0, Pack row1, Pack row2, Pack row3)

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/numerics/equation_of_state.hpp"
+#include "sph_solver/numerics/kernel.hpp"
+#include "sph_solver/numerics/limiter.hpp"
+#include "sph_solver/numerics/vector.hpp"
+
+namespace sph {
+
+/// What every pair formula of a run has in common, constant from setup to the end.
+template<int D> struct FluidModel {
+    CubicSpline<D> kernel;
+    Tait eos;
+    Limiter limiter;                 ///< van Albada unless the user says otherwise
+    Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
+};
+
+} // namespace sph

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/flux_sums.hpp"
+#include "sph_solver/operators/pair_records.hpp"
+#include "sph_solver/state/particles.hpp"
+
+namespace sph {
+
+/// Pass 2 over the neighbours: mass and momentum that each owned particle gets from its fluid pairs, MUSCL and exact Riemann
+/// solver at a face half-way (numerics/pair_flux.hpp), with S = 2 w_i w_j |W'|:
+///
+///     dm_i/dt = -sum S mf,   dP_i/dt = -sum S (mf v_e + p_e n)
+///
+/// Every particle sums its own full row in the list's order, so that its result does not depend on the partition; the pair seen
+/// from the other side gives the exactly opposite flux. Adds to `rates` and makes `sums` anew.
+/// \pre records hold states and slopes of the present state.
+template<int D>
+void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
+                          const NeighbourList& neighbours, const std::vector<int>& owned, const FluidModel<D>& model);
+
+/// Weight of each owned particle, dP_i/dt += m_i g [N].
+template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles, const Vec<D>& gravity);
+
+} // namespace sph

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/gradient_sums.hpp"
+#include "sph_solver/operators/pair_records.hpp"
+#include "sph_solver/state/particles.hpp"
+
+/// \file
+/// Pass 1 over the neighbours, in three calls so that walls can add their images in between:
+///
+///     accumulate_fluid_gradients(sums, ...);   accumulate_wall_gradients(sums, ...);   finish_gradients(...);
+namespace sph {
+
+/// Makes `sums` anew: the sums of GradientSums over the fluid pairs of each owned particle, neighbours in the list's order.
+/// \pre records.load_states was called for the present state.
+template<int D>
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,
+                                const std::vector<int>& owned, const FluidModel<D>& model);
+
+/// Gradients of owned particles and the rate of their volumes from the complete sums:
+///
+///     grad f = G[f] M^-1  where the smallest eigenvalue of M exceeds 0.2, else G[f]
+///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close)
+template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums);
+
+/// True where M may be inverted: its smallest eigenvalue exceeds 0.2 (by the minors of M - 0.2 I).
+template<int D> bool well_conditioned(const Mat<D>& moment);
+
+} // namespace sph

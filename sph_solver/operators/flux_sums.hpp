@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/numerics/vector.hpp"
+
+#include <vector>
+
+namespace sph {
+
+/// The neighbour sums of pass 2 for one owned particle over its fluid pairs, the two causes of momentum kept apart because each
+/// has its own column in the energy ledger. S = 2 w_i w_j |W'|:
+///
+///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n
+template<int D> struct FluxSums {
+    double mass = 0;                     ///< dm/dt [kg/s]
+    Vec<D> by_mass = Vec<D>::Zero();     ///< dP/dt carried by the mass flux [N]
+    Vec<D> by_pressure = Vec<D>::Zero(); ///< dP/dt of the pressure [N]
+};
+
+/// Row k belongs to the k-th owned particle, as in NeighbourList.
+template<int D> using FluxField = std::vector<FluxSums<D>>;
+
+} // namespace sph
