@@ -64,7 +64,8 @@ WeightedGraph BlockMap<D>::graph(const std::vector<std::int64_t>& work) const
 {
     WeightedGraph graph;
     graph.vertex_weights = work;
-    const std::int64_t largest = std::max<std::int64_t>(1, *std::max_element(work.begin(), work.end()));
+    std::int64_t largest = 1;
+    for (const std::int64_t amount : work) largest = std::max(largest, amount);
     for (std::size_t v = 0; v < blocks_.size(); ++v) {
         const auto centre = CellGrid<D>::cell(blocks_[v]);
         for_each_adjacent<D>(blocks_[v], [&](CellKey other) {

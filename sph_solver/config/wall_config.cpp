@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/config/wall_config.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace sph {
+namespace {
+
+void require_numbers(const std::vector<double>& numbers, std::size_t count, const WallConfig& wall, const char* key)
+{
+    base::require_input(numbers.size() == count, "wall \"", wall.name, "\": ", key, " has ", numbers.size(),
+                        " numbers, ", count, " are needed");
+}
+
+void add_polyline(WallShape& result, const WallConfig& wall)
+{
+    base::require_input(wall.points.size() >= 2, "wall \"", wall.name, "\": a polyline needs two points at least, points = "
+                        "[[x, y], ...]; it has ", wall.points.size());
+    for (const auto& point : wall.points) {
+        require_numbers(point, 2, wall, "a point of the polyline");
+        result.vertices.insert(result.vertices.end(), point.begin(), point.end());
+    }
+    const int count = static_cast<int>(wall.points.size());
+    for (int a = 0; a + 1 < count; ++a) result.facets.push_back({a, a + 1, -1, -1});
+    if (wall.closed) result.facets.push_back({count - 1, 0, -1, -1});
+}
+
+/// A polyline in the plane becomes a wall of quadrilaterals a, b, b + dz, a + dz between two depths z: their normal
+/// (b - a) x dz = dz (t_y, -t_x, 0) is the one of the polyline.
+void extrude(WallShape& result, const std::vector<double>& depth)
+{
+    std::vector<double> vertices;
+    const auto count = static_cast<int>(result.vertices.size() / 2);
+    for (const double z : depth) {
+        for (int v = 0; v < count; ++v) {
+            vertices.insert(vertices.end(), {result.vertices[static_cast<std::size_t>(2 * v)],
+                                             result.vertices[static_cast<std::size_t>(2 * v + 1)], z});
+        }
+    }
+    result.vertices.swap(vertices);
+    for (auto& facet : result.facets) facet = {facet[0], facet[1], facet[1] + count, facet[0] + count};
+}
+
+bool is_open(const WallConfig& wall, const std::string& side)
+{
+    return std::find(wall.open.begin(), wall.open.end(), side) != wall.open.end();
+}
+
+/// The inside of a rectangle, run through clockwise, so that the fluid inside is on the right.
+void add_box_2d(WallShape& result, const WallConfig& wall)
+{
+    const auto &a = wall.low, &b = wall.high;
+    result.vertices = {a[0], a[1], a[0], b[1], b[0], b[1], b[0], a[1]};
+    const std::array<const char*, 4> sides = {"left", "top", "right", "bottom"};
+    for (int s = 0; s < 4; ++s) {
+        if (!is_open(wall, sides[static_cast<std::size_t>(s)])) result.facets.push_back({s, (s + 1) % 4, -1, -1});
+    }
+}
+
+/// The inside of a cuboid: vertex number x + 2 y + 4 z, each face counterclockwise seen from inside.
+void add_box_3d(WallShape& result, const WallConfig& wall)
+{
+    for (int v = 0; v < 8; ++v) {
+        for (std::size_t d = 0; d < 3; ++d) result.vertices.push_back(((v >> d) & 1) != 0 ? wall.high[d] : wall.low[d]);
+    }
+    struct Face {
+        const char* side;
+        std::array<int, 4> corners;
+    };
+    const std::array<Face, 6> faces = {{{"left", {0, 2, 6, 4}},
+                                        {"right", {1, 5, 7, 3}},
+                                        {"front", {0, 4, 5, 1}},
+                                        {"back", {2, 3, 7, 6}},
+                                        {"bottom", {0, 1, 3, 2}},
+                                        {"top", {4, 6, 7, 5}}}};
+    for (const Face& face : faces) {
+        if (!is_open(wall, face.side)) result.facets.push_back(face.corners);
+    }
+}
+
+void add_box(WallShape& result, const WallConfig& wall)
+{
+    const auto dimension = static_cast<std::size_t>(result.dimension);
+    require_numbers(wall.low, dimension, wall, "low");
+    require_numbers(wall.high, dimension, wall, "high");
+    for (std::size_t d = 0; d < dimension; ++d) {
+        base::require_input(wall.low[d] < wall.high[d], "wall \"", wall.name, "\": low (", wall.low[d],
+                            " m) is not below high (", wall.high[d], " m) along axis ", d);
+    }
+    if (result.dimension == 2) return add_box_2d(result, wall);
+    add_box_3d(result, wall);
+}
+
+void require_extent(const WallShape& wall)
+{
+    const auto dimension = static_cast<std::size_t>(wall.dimension);
+    for (const auto& facet : wall.facets) {
+        double length_squared = 0.0;
+        for (std::size_t d = 0; d < dimension; ++d) {
+            const auto at = [&](int v) { return wall.vertices[static_cast<std::size_t>(v) * dimension + d]; };
+            length_squared += std::pow(at(facet[1]) - at(facet[0]), 2);
+        }
+        base::require_input(length_squared > 0.0, "wall \"", wall.name, "\": points ", facet[0] + 1, " and ", facet[1] + 1,
+                            " are the same; remove one");
+    }
+}
+
+}  // namespace
+
+base::Table<WallConfig> wall_table()
+{
+    return base::Table<WallConfig>("a rigid wall; the order of its points says where the solid is: left of a -> b")
+        .key("name", &WallConfig::name, {.doc = "name in messages and outputs", .required = true})
+        .key("shape", &WallConfig::shape,
+             {.doc = "polyline: through points; box: the inside of low..high", .choices = {"polyline", "box"}})
+        .key("points", &WallConfig::points, {.unit = "m", .doc = "corners [[x, y], ...] of a polyline"})
+        .key("closed", &WallConfig::closed, {.doc = "join the last point to the first"})
+        .key("low", &WallConfig::low, {.unit = "m", .doc = "lowest corner of a box"})
+        .key("high", &WallConfig::high, {.unit = "m", .doc = "highest corner of a box"})
+        .key("open", &WallConfig::open,
+             {.doc = "sides of a box without a wall (2D: y is up; 3D: z is up)",
+              .choices = {"left", "right", "bottom", "top", "front", "back"}})
+        .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"})
+        .key("velocity", &WallConfig::velocity, {.unit = "m/s", .doc = "constant velocity of the wall; none: at rest"});
+}
+
+WallShape wall_shape(const WallConfig& wall, int dimension)
+{
+    WallShape result;
+    result.name = wall.name;
+    result.dimension = dimension;
+    result.velocity.assign(static_cast<std::size_t>(dimension), 0.0);
+    if (!wall.velocity.empty()) {
+        require_numbers(wall.velocity, static_cast<std::size_t>(dimension), wall, "velocity");
+        result.velocity = wall.velocity;
+    }
+    if (wall.shape == "box") {
+        add_box(result, wall);
+    } else {
+        add_polyline(result, wall);
+        require_extent(result);
+        if (dimension == 3) {
+            require_numbers(wall.depth, 2, wall, "depth");
+            extrude(result, wall.depth);
+        }
+    }
+    return result;
+}
+
+}  // namespace sph
