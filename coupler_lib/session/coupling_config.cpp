@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/session/coupling_config.hpp"
+
+#include "coupler_lib/foundation/nearest_name.hpp"
+#include "coupler_lib/foundation/check.hpp"
+
+#include <algorithm>
+
+namespace coupler {
+namespace {
+
+base::Table<ParticipantConfig> participant_table()
+{
+    return base::Table<ParticipantConfig>("a program that takes part, under the name of its role")
+        .key("program", &ParticipantConfig::program, {.doc = "executable that plays this role", .required = true})
+        .key("file", &ParticipantConfig::file, {.doc = "its own configuration, relative to this file", .required = true});
+}
+
+base::Table<RunTimeConfig> time_table()
+{
+    return base::Table<RunTimeConfig>("duration of the coupled run")
+        .key("end", &RunTimeConfig::end, {.unit = "s", .doc = "physical time at which the run ends", .positive = true, .required = true});
+}
+
+base::Table<RunOutputConfig> output_table()
+{
+    return base::Table<RunOutputConfig>("when both participants write; at the first step at or after the nominal time")
+        .key("interval", &RunOutputConfig::interval, {.unit = "s", .doc = "between two field outputs; 0: start and end only", .min = 0})
+        .key("table_interval", &RunOutputConfig::table_interval,
+             {.unit = "s", .doc = "between two rows of the CSV tables; 0: every step", .min = 0});
+}
+
+base::Table<SchemeConfig> scheme_table()
+{
+    return base::Table<SchemeConfig>("how the two sides are coupled")
+        .key("scheme", &SchemeConfig::scheme,
+             {.doc = "parallel: load lagged by a step; parallel_impedance: the same with the acoustic reaction of the wet "
+                     "surface taken implicitly in the solid",
+              .choices = {"parallel", "parallel_impedance"}})
+        .key("impedance_factor", &SchemeConfig::impedance_factor,
+             {.unit = "-", .doc = "share of rho c used by parallel_impedance", .min = 0, .max = 2})
+        .key("acceleration", &SchemeConfig::acceleration,
+             {.doc = "wall acceleration sent to the fluid: mean over the solid's last steps, or the nodal one",
+              .choices = {"mean", "nodal"}})
+        .key("acceleration_steps", &SchemeConfig::acceleration_steps,
+             {.unit = "-", .doc = "steps that the mean acceleration spans", .min = 1, .max = 100})
+        .key("handshake_timeout", &SchemeConfig::handshake_timeout,
+             {.unit = "s", .doc = "longest wait for a participant to appear", .positive = true})
+        .key("silence_timeout", &SchemeConfig::silence_timeout,
+             {.unit = "s", .doc = "longest wait for a packet of the partner", .positive = true});
+}
+
+base::Table<InterfaceConfig> interface_table()
+{
+    return base::Table<InterfaceConfig>("the wet surface that fluid and solid share")
+        .key("fluid", &InterfaceConfig::fluid, {.doc = "role of the fluid"})
+        .key("solid", &InterfaceConfig::solid, {.doc = "role of the solid"})
+        .key("surface", &InterfaceConfig::surface, {.doc = "name of the surface in messages"})
+        .key("load", &InterfaceConfig::load,
+             {.doc = "conservative: momentum exchanged with the wall; averaged: pressure of the particles beside each facet",
+              .choices = {"conservative", "averaged"}})
+        .key("coverage_limit", &InterfaceConfig::coverage_limit,
+             {.unit = "-", .doc = "averaged load: facets covered less than this get none", .min = 0, .max = 1})
+        .key("motion_jump_limit", &InterfaceConfig::motion_jump_limit,
+             {.unit = "facet sizes", .doc = "a wet node that moves farther within one step stops the run", .positive = true});
+}
+
+void check_role(const CouplingConfig& config, const std::string& key, const std::string& role, const base::ConfigReader& reader)
+{
+    const auto roles = config.roles();
+    base::require_input(std::find(roles.begin(), roles.end(), role) != roles.end(), reader.where("interface." + key), ": [interface] ",
+                        key, " = \"", role, "\" is no participant", base::suggestion(role, roles));
+}
+
+}  // namespace
+
+std::vector<std::string> CouplingConfig::roles() const
+{
+    std::vector<std::string> names;
+    for (const auto& [name, participant] : participants) names.push_back(name);
+    return names;
+}
+
+InterfaceSettings CouplingConfig::interface_settings() const
+{
+    InterfaceSettings settings;
+    settings.name = interface.surface;
+    settings.load = interface.load == "averaged" ? LoadKind::averaged : LoadKind::conservative;
+    settings.coverage_limit = interface.coverage_limit;
+    settings.motion_jump_limit = interface.motion_jump_limit;
+    return settings;
+}
+
+CouplingConfig read_coupling_config(base::ConfigReader& reader)
+{
+    CouplingConfig config;
+    config.participants = reader.named_tables("participants", participant_table());
+    config.time = reader.table("time", time_table());
+    config.output = reader.table("output", output_table());
+    config.scheme = reader.table("coupling", scheme_table());
+    config.interface = reader.table("interface", interface_table());
+    reader.finish();
+    if (reader.describing()) return config;
+    base::require_input(config.participants.size() >= 2, reader.file_name(), ": two participants are wanted, [participants.fluid] and "
+                        "[participants.solid], not ", config.participants.size());
+    check_role(config, "fluid", config.interface.fluid, reader);
+    check_role(config, "solid", config.interface.solid, reader);
+    return config;
+}
+
+}  // namespace coupler

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "coupler_lib/base/config.hpp"
+#include "coupler_lib/coupling/surface.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coupler {
+
+/// [participants.NAME]
+struct ParticipantConfig {
+    std::string program, file;
+};
+
+/// [time]: of the whole coupled run.
+struct RunTimeConfig {
+    double end = 0;
+};
+
+/// [output]: both participants write at the same windows.
+struct RunOutputConfig {
+    double interval = 0;
+    double table_interval = 0;
+};
+
+/// [coupling]: the scheme and how long to wait.
+struct SchemeConfig {
+    std::string scheme = "parallel_impedance";
+    double impedance_factor = 1.0;
+    std::string acceleration = "mean";
+    int acceleration_steps = 1;
+    double handshake_timeout = 30;
+    double silence_timeout = 300;
+};
+
+/// [interface]
+struct InterfaceConfig {
+    std::string fluid = "fluid", solid = "solid", surface = "wet";
+    std::string load = "conservative";
+    double coverage_limit = 0.3;
+    double motion_jump_limit = 1.0;
+};
+
+/// coupling.toml: what both participants must agree on.
+struct CouplingConfig {
+    std::vector<std::pair<std::string, ParticipantConfig>> participants;
+    RunTimeConfig time;
+    RunOutputConfig output;
+    SchemeConfig scheme;
+    InterfaceConfig interface;
+
+    std::vector<std::string> roles() const;
+    /// The interface's settings as `coupling` takes them; the fluid adds its impedance and limits.
+    InterfaceSettings interface_settings() const;
+};
+
+/// Reads all tables of coupling.toml. Throws Error(bad_input) with the place of what is wrong.
+CouplingConfig read_coupling_config(base::ConfigReader& reader);
+
+}  // namespace coupler

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/base/version.hpp"
+#include "coupler_lib/coupling/mpi_session.hpp"
+#include "coupler_lib/session/session.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <new>
+
+namespace coupler {
+namespace {
+
+std::string describe_keys(const void* context)
+{
+    const auto& program = *static_cast<const ProgramInfo*>(context);
+    auto own = base::ConfigReader::describe();
+    program.read_own_file(own);
+    auto shared = base::ConfigReader::describe();
+    read_coupling_config(shared);
+    return fmt::format("# {}: its own file\n\n{}# the shared file, coupling.toml\n\n{}", program.name, own.help(), shared.help());
+}
+
+/// "mpirun -n 1 sph_solver cases/x/coupling.toml : -n 1 fem_solver cases/x/coupling.toml"
+std::string launch_line(const RunFiles& files)
+{
+    if (!files.coupling) return "";
+    std::string line = "mpirun";
+    for (const auto& [role, participant] : files.coupling->participants) {
+        line += fmt::format("{} -n 1 {} {}", line == "mpirun" ? "" : " :", participant.program, files.coupling_file);
+        line += role == files.role || participant.program == "sph_solver" || participant.program == "fem_solver" ? "" : " --as " + role;
+    }
+    return line;
+}
+
+/// What can be known before MPI starts; an error is kept, so that the handshake ends all ranks with it.
+struct Preparation {
+    RunFiles files;
+    ParticipantSettings settings;
+};
+
+Preparation prepare(const ProgramInfo& program, const CommandLine& command)
+{
+    Preparation made;
+    auto& settings = made.settings;
+    settings.role = command.role.empty() ? program.default_role : command.role;
+    settings.config_file = command.file;
+    settings.version = base::git_hash();
+    try {
+        made.files = read_run_files(program, command);
+        settings.config_hash = made.files.config_hash;
+        settings.launch_advice = launch_line(made.files);
+        settings.expected_roles = made.files.coupling ? made.files.coupling->roles() : std::vector<std::string>{settings.role};
+        if (made.files.coupling) {
+            settings.handshake_timeout = made.files.coupling->scheme.handshake_timeout;
+            settings.silence_timeout = made.files.coupling->scheme.silence_timeout;
+        }
+    } catch (const base::Error& error) {
+        settings.failure = error.what();
+        settings.failure_code = error.code();
+    }
+    return made;
+}
+
+/// Runs `body` and turns whatever it throws into the end of the whole run.
+int run_body(Participant& participant, const Preparation& prepared, bool check_only, const std::function<void(Session&)>& body)
+{
+    try {
+        Session session(participant, prepared.files, check_only);
+        body(session);
+        participant.finish();
+        return participant.stop_requested() ? static_cast<int>(base::ExitCode::stopped_on_request) : 0;
+    } catch (const base::Error& error) {
+        participant.report_failure(error);
+        return static_cast<int>(error.code());
+    } catch (const std::bad_alloc&) {
+        participant.report_failure({base::ExitCode::numerical_failure, "out of memory; use more ranks or a coarser resolution"});
+    } catch (const std::exception& error) {
+        participant.report_failure({base::ExitCode::numerical_failure, error.what()});
+    }
+    return static_cast<int>(base::ExitCode::numerical_failure);
+}
+
+}  // namespace
+
+int run_program(const ProgramInfo& program, int argc, char** argv, const std::function<void(Session&)>& body)
+{
+    const auto parsed = parse_command_line(argc, argv, program.name, program.purpose, &describe_keys, &program);
+    if (parsed.leave) {
+        std::fputs(parsed.text.c_str(), parsed.code == 0 ? stdout : stderr);
+        return parsed.code;
+    }
+    const Preparation prepared = prepare(program, parsed.command);
+    const MpiSession mpi(argc, argv, prepared.settings.role, prepared.settings.handshake_timeout, prepared.settings.launch_advice);
+    try {
+        Participant participant(prepared.settings);
+        return run_body(participant, prepared, parsed.command.check_only, body);
+    } catch (const AgreedError& error) {
+        return static_cast<int>(error.code());
+    }
+}
+
+}  // namespace coupler

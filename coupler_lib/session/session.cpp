@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/session/session.hpp"
+
+#include "coupler_lib/base/version.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sys/resource.h>
+
+namespace coupler {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int summary_tag = 7301, used_config_tag = 7302;
+
+/// Largest resident memory of this rank so far [MB].
+double peak_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void write_text(const std::string& path, const std::string& content)
+{
+    std::ofstream file(path);
+    file << content;
+    base::require_input(file.good(), "cannot write the file '", path, "'; is the disk full?");
+}
+
+/// The texts of all participants' roots, gathered on the root that is world rank 0 (empty elsewhere), in role order.
+std::vector<std::pair<std::string, std::string>> gather_texts(Participant& me, const std::string& mine, int tag)
+{
+    std::vector<std::pair<std::string, std::string>> texts;
+    if (!me.comm().is_root()) return texts;
+    if (me.world_rank() == 0) texts.emplace_back(me.role(), mine);
+    for (const auto& partner : me.partners()) {
+        const int root = me.ranks_of(partner).front();
+        if (me.world_rank() == 0) {
+            MPI_Status status;
+            const auto arrived = [&] {
+                int flag = 0;
+                MPI_Iprobe(root, tag, me.coupling_comm(), &flag, &status);
+                return flag != 0;
+            };
+            me.wait_until(arrived, "its summary", [&] { return std::vector<int>{root}; });
+            int length = 0;
+            MPI_Get_count(&status, MPI_CHAR, &length);
+            std::string text(static_cast<std::size_t>(length), ' ');
+            MPI_Recv(text.data(), length, MPI_CHAR, root, tag, me.coupling_comm(), MPI_STATUS_IGNORE);
+            texts.emplace_back(partner, text);
+        } else if (root == 0) {
+            std::vector<MPI_Request> request(1);
+            MPI_Isend(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, 0, tag, me.coupling_comm(), request.data());
+            me.wait_all(request, "its summary to be taken", {0});
+        }
+    }
+    return texts;
+}
+
+}  // namespace
+
+Session::Session(Participant& participant, const RunFiles& files, bool check_only)
+    : participant_(&participant), files_(files), check_only_(check_only), own_folder_(files.role)
+{
+    if (check_only_) {
+        if (is_root()) log_ = base::Log(files_.role, "");
+        return;
+    }
+    if (is_root()) {
+        std::error_code error;
+        fs::create_directories(own_dir(), error);
+        if (coupled()) fs::create_directories(files_.output_dir + "/coupling", error);
+        base::require_input(!error, "cannot make the output folder '", own_dir(), "': ", error.message());
+        log_ = base::Log(files_.role, own_dir() + "/" + files_.role + ".log");
+    }
+    comm().barrier();
+    write_used_config();
+}
+
+void Session::write_used_config()
+{
+    if (!is_root()) return;
+    const auto parts = gather_texts(*participant_, files_.used_own, used_config_tag);
+    if (parts.empty()) return;
+    std::string all = files_.coupling ? "# ---- coupling: " + files_.coupling_file + "\n" + files_.used_coupling : "";
+    for (const auto& [role, used] : parts) all += "# ---- " + role + "\n" + used;
+    write_text(files_.output_dir + "/used_config.toml", all);
+}
+
+void Session::write_summary(base::JsonObject figures)
+{
+    const double memory = comm().max(peak_memory());
+    figures.set("ranks", comm().size())
+        .set("wall_s", wall_seconds())
+        .set("peak_memory_per_rank_MB", memory)
+        .set("version", base::version())
+        .set("commit", base::git_hash())
+        .set("timers", timers_.json());
+    if (!is_root()) return;
+    write_text(own_dir() + "/summary.json", figures.text() + "\n");
+    const auto texts = gather_texts(*participant_, figures.text(1), summary_tag);
+    if (texts.empty()) return;
+    std::string all = "{";
+    for (std::size_t k = 0; k < texts.size(); ++k) all += (k ? ",\n  \"" : "\n  \"") + texts[k].first + "\": " + texts[k].second;
+    write_text(files_.output_dir + "/summary.json", all + "\n}\n");
+}
+
+}  // namespace coupler
