@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""Pictures of the elastic gate: water and gate at the experiment's times, the free end beside the experiment.
+
+usage: plot.py RUN FOLDER          writes snapshots.png and tip.png into FOLDER; the report calls pictures(run).
+"""
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "tools"))
+
+import numpy as np  # noqa: E402
+
+from field_file import open_fields  # noqa: E402
+from figure_style import FLUID, REFERENCE, SOLID, draw, plt  # noqa: E402
+from run_folder import RunFolder, Table  # noqa: E402
+from snapshots import View, snapshot_figure  # noqa: E402
+
+WATER_WIDTH, WATER_HEIGHT, GATE_TOP, GATE_THICKNESS = 0.1, 0.14, 0.079, 0.005      # [m]
+TIMES = np.arange(0.04, 0.401, 0.04)                                               # of the experiment's pictures [s]
+WALLS = [[(0, 0.15), (0, 0), (1.2, 0)],
+         [(WATER_WIDTH, 0.15), (WATER_WIDTH, GATE_TOP), (WATER_WIDTH + GATE_THICKNESS, GATE_TOP), (WATER_WIDTH + GATE_THICKNESS, 0.15)]]
+
+
+def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
+    """Water coloured by pressure and the deformed gate; None where the run holds no fields."""
+    water, solid = open_fields(run.file("fluid/fields.h5")), open_fields(run.file("solid/fields.h5"))
+    particles = len(water.read(0).points) if water and water.steps else 14000
+    spacing = np.sqrt(WATER_WIDTH * WATER_HEIGHT / particles)
+    view = View(window=(-0.006, 0.235, -0.006, 0.148), pressure=1000 * 9.81 * WATER_HEIGHT, spacing=spacing, walls=WALLS)
+    return snapshot_figure(water, solid, times, view, columns)
+
+
+def tip(run: RunFolder):
+    """Displacement of the middle of the gate's lower face, with the measured one and its uncertainty."""
+    probes = run.table("solid/probes.csv")
+    measured = Table(HERE / "reference" / "antoci_gate_experiment.csv")
+    if probes is None:
+        return None
+    figure, axes = plt.subplots(figsize=(11.5, 3.6), layout="constrained")
+    for column, name, colour, marker in (("tip.ux", "x", FLUID, "o"), ("tip.uy", "y", SOLID, "s")):
+        draw(axes, probes["t"], 1000 * probes[column], color=colour, label=f"computed, {name}")
+        axes.errorbar(measured["t"], measured[f"{name}_tip"], yerr=measured[f"u_{name}"], fmt=marker, markersize=4, capsize=2,
+                      color=REFERENCE, mfc="white" if name == "y" else REFERENCE, linewidth=0.9, label=f"measured, {name}")
+    axes.set(title="Free end of the gate", xlabel="t [s]", ylabel="displacement [mm]", xlim=(0, None))
+    axes.legend(ncols=2)
+    return figure
+
+
+def pictures(run: RunFolder) -> list[tuple]:
+    """(figure, kind, caption) of each picture for the report."""
+    return [
+        (snapshots(run), "png", "Water coloured by pressure and the gate's mesh in its deformed place, every 0.04 s as in the experiment's photographs."),
+        (tip(run), "svg", "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty of the digitised curves."),
+    ]
+
+
+def main() -> int:
+    run, folder = RunFolder(Path(sys.argv[1])), Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, figure in (("snapshots", snapshots(run)), ("tip", tip(run))):
+        if figure is not None:
+            figure.savefig(folder / f"{name}.png", dpi=130)
+            print(folder / f"{name}.png")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

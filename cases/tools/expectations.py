@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""expect.toml: the figures a case must hit, how each is taken from the run's files, and where it comes from.
+
+One [[expect]] table a figure:
+
+    quantity  = "tip_ux_peak[m]"     its name, with the unit
+    file      = "solid/probes.csv"   CSV of the run, or summary.json
+    column    = "tip.ux[m]"          a column, a list of columns to add up, or a dotted path in summary.json
+    operation = "max"                see OPERATIONS below
+    at = 0.36                        time of value_at [s]
+    from = 0.0, until = 0.2          only these times count [s]
+    over = 9.61                      divide by a number, or by {file, column, operation} of the same run
+    reference = {file, column, time, scale}   curve for rms_to_reference; its columns times `scale` are SI
+    value, tolerance, kind           expected value; kind = "relative" (default) or "absolute"
+    low, high                        or a band, either end may be left out
+    informative = true               printed, never judged
+    source = "..."                   who says so
+"""
+import json
+import math
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from run_folder import RunFolder, Table
+
+
+@dataclass
+class Finding:
+    """One figure of a run beside what is expected of it."""
+    case: str
+    entry: dict
+    value: float | None
+    reason: str = ""
+
+    @property
+    def band(self) -> tuple[float, float]:
+        if "value" in self.entry:
+            expected, tolerance = self.entry["value"], self.entry.get("tolerance", 0.0)
+            width = tolerance * (abs(expected) if self.entry.get("kind", "relative") == "relative" else 1.0)
+            return expected - width, expected + width
+        return self.entry.get("low", -math.inf), self.entry.get("high", math.inf)
+
+    @property
+    def judged(self) -> bool:
+        return not self.entry.get("informative", False)
+
+    @property
+    def passed(self) -> bool:
+        low, high = self.band
+        return self.value is not None and low <= self.value <= high
+
+    def as_json(self) -> str:
+        kind = self.entry.get("kind", "relative") if "value" in self.entry else "band"
+        fields = {"case": self.case, "quantity": self.entry["quantity"], "value": self.value,
+                  "reference": self.entry.get("value", [self.entry.get("low"), self.entry.get("high")]),
+                  "tolerance": self.entry.get("tolerance"), "kind": kind, "judged": self.judged,
+                  "pass": self.passed, "source": self.entry.get("source", "")}
+        return json.dumps(fields)
+
+
+def angular_frequency(t: np.ndarray, x: np.ndarray) -> float:
+    """Angular frequency [rad/s] of the sinusoid (with an offset) that fits x(t) best in the least squares.
+
+    Where higher modes ring along, zero crossings err ten times more than this fit does. Needs about one period.
+    """
+    def misfit(omega: float) -> float:
+        basis = np.column_stack((np.cos(omega * t), np.sin(omega * t), np.ones_like(t)))
+        fit = np.linalg.lstsq(basis, x, rcond=None)[0]
+        return float(np.sum((x - basis @ fit) ** 2))
+
+    crossings = np.flatnonzero(np.diff(np.signbit(x - x.mean())))
+    if len(crossings) < 2:
+        raise ValueError("fewer than two zero crossings: no frequency to measure")
+    first, last = t[crossings[0]], t[crossings[-1]]
+    guess = math.pi * (len(crossings) - 1) / (last - first)
+    trial = np.linspace(0.7 * guess, 1.3 * guess, 241)
+    best = trial[int(np.argmin([misfit(omega) for omega in trial]))]
+    low, high = best - 0.005 * guess, best + 0.005 * guess
+    while high - low > 1e-7 * guess:
+        third = (high - low) / 3
+        low, high = (low, high - third) if misfit(low + third) < misfit(high - third) else (low + third, high)
+    return 0.5 * (low + high)
+
+
+OPERATIONS = {
+    "last": lambda t, y, entry: y[-1],
+    "max": lambda t, y, entry: y.max(),
+    "min": lambda t, y, entry: y.min(),
+    "max_abs": lambda t, y, entry: np.abs(y).max(),
+    "time_of_max": lambda t, y, entry: t[y.argmax()],
+    "time_of_min": lambda t, y, entry: t[y.argmin()],
+    "value_at": lambda t, y, entry: np.interp(entry["at"], t, y),
+    "mean": lambda t, y, entry: np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(t)) / (t[-1] - t[0]),
+    "relative_spread": lambda t, y, entry: (y.max() - y.min()) / abs(y[0]),
+    "change": lambda t, y, entry: np.abs(y - y[0]).max(),
+    "angular_frequency": lambda t, y, entry: angular_frequency(t, y),
+    "rms_to_reference": lambda t, y, entry: rms_to_reference(t, y, entry),
+}
+
+
+def rms_to_reference(t: np.ndarray, y: np.ndarray, entry: dict) -> float:
+    """Root mean square distance to a reference curve at the reference's own times within [from, until]."""
+    curve = entry["reference"]
+    table = Table(entry["folder"] / curve["file"])
+    times = table[curve.get("time", "t")]
+    inside = (times >= max(entry.get("from", t[0]), t[0])) & (times <= min(entry.get("until", t[-1]), t[-1]))
+    if not inside.any():
+        raise ValueError("the run covers none of the reference's times")
+    distance = np.interp(times[inside], t, y) - curve.get("scale", 1.0) * table[curve["column"]][inside]
+    return float(np.sqrt(np.mean(distance**2)))
+
+
+def measure(run: RunFolder, entry: dict) -> float:
+    """The figure that `entry` describes, taken from the run."""
+    if entry["file"].endswith(".json"):
+        value = run.summary()
+        for part in entry["column"].split("."):
+            value = value[part]
+        return float(value) / scale_of(run, entry)
+    table = run.table(entry["file"])
+    if table is None:
+        raise ValueError(f"{entry['file']} is missing or empty")
+    columns = entry["column"] if isinstance(entry["column"], list) else [entry["column"]]
+    t, y = table["t"], sum(table[name] for name in columns)
+    if "at" in entry and not t[0] <= entry["at"] <= t[-1] * (1 + 1e-9) + 1e-9:
+        raise ValueError(f"the run ends at t = {t[-1]:.4g} s")
+    if entry["operation"] != "rms_to_reference":
+        inside = (t >= entry.get("from", -math.inf)) & (t <= entry.get("until", math.inf))
+        t, y = t[inside], y[inside]
+    return float(OPERATIONS[entry["operation"]](t, y, entry)) / scale_of(run, entry)
+
+
+def scale_of(run: RunFolder, entry: dict) -> float:
+    over = entry.get("over", 1.0)
+    return measure(run, {"file": entry["file"], **over}) if isinstance(over, dict) else float(over)
+
+
+def check(run: RunFolder, case: Path) -> list[Finding]:
+    """Every figure of the case's expect.toml, measured in the run; empty where the case expects nothing."""
+    path = case / "expect.toml"
+    if not path.exists():
+        return []
+    findings = []
+    for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("expect", []):
+        try:
+            findings.append(Finding(case.name, entry, measure(run, entry | {"folder": case})))
+        except (KeyError, ValueError, TypeError) as error:
+            findings.append(Finding(case.name, entry, None, str(error).strip("'\"")))
+    return findings

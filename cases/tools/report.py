@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Writes report.html into a run's folder: one self-contained page about the run.
+
+usage: report.py RUN [--case FOLDER]       (default: the folder of cases/ that has the run's name)
+
+The pictures of the case come from its plot.py: a function `pictures(run) -> list of (figure, kind, caption)`, with kind
+"svg" or "png". Everything else is the same for every case.
+"""
+import argparse
+import importlib.util
+import sys
+from pathlib import Path
+
+from energy import write_energy_total
+from expectations import check
+from figure_style import as_image
+from report_figures import energy_figure, interface_figure, probe_figure, wait_figure
+from report_page import missing_note, page, picture, section
+from report_tables import SIDES, expectation_table, run_figures, time_table
+from run_folder import RunFolder
+
+CASES = Path(__file__).resolve().parent.parent
+
+
+def case_pictures(run: RunFolder, case: Path) -> list[str]:
+    """What the case's own plot.py draws; a case without one shows its probes."""
+    path = case / "plot.py"
+    if not path.exists():
+        figures = [(probe_figure(run, side), "svg", "") for side in SIDES]
+    else:
+        spec = importlib.util.spec_from_file_location(f"plot_{case.name}", path)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        figures = module.pictures(run)
+    return [picture(as_image(figure, kind, caption), caption) for figure, kind, caption in figures if figure is not None]
+
+
+def image_of(figure, alt: str) -> str:
+    return as_image(figure, "svg", alt) if figure is not None else ""
+
+
+def subtitle(case: Path, summary: dict) -> str:
+    readme = case / "README.md"
+    title = readme.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") if readme.exists() else ""
+    versions = {summary.get(side, {}).get("version") for side in SIDES} - {None}
+    return " · ".join(part for part in (title, *(f"Rivage {version}" for version in sorted(map(str, versions)))) if part)
+
+
+def write_report(folder: Path, case: Path) -> Path:
+    """Writes folder/report.html (and energy_total.csv where it can be made) and returns its path."""
+    run = RunFolder(folder)
+    energies = write_energy_total(run)
+    summary = run.summary()
+    body = [
+        run_figures(run, summary, energies),
+        *case_pictures(run, case),
+        section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"),
+                                    "What particles that left the domain took along is counted as the fluid's. Dissipations are "
+                                    "summed pair by pair; the balance error is what they do not explain.")),
+        section("Interface", picture(image_of(interface_figure(run), "interface force and work"),
+                                     "The work of both sides should be opposite: what differs is made or lost by the exchange.")),
+        section("Expected and found", expectation_table(check(run, case))),
+        section("Time", picture(image_of(wait_figure(run), "waits")),
+                '<div class="columns">' + "".join(f"<div>{time_table(side, summary.get(side, {}))}</div>" for side in SIDES) + "</div>"),
+    ]
+    body.insert(1, missing_note(run.missing))
+    path = folder / "report.html"
+    path.write_text(page(case.name.replace("_", " "), subtitle(case, summary), body), encoding="utf-8")
+    return path
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("run", type=Path)
+    parser.add_argument("--case", type=Path)
+    arguments = parser.parse_args()
+    if not arguments.run.is_dir():
+        print(f"{arguments.run}: there is no such folder", file=sys.stderr)
+        return 2
+    folder = arguments.run.resolve()
+    print(f"report: {write_report(folder, (arguments.case or CASES / folder.name).resolve())}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

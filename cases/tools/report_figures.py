@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+"""The pictures that every report has, whatever the case: energies, interface, waits. Each returns a figure or None."""
+import numpy as np
+
+from energy import DISSIPATIONS, EnergySum
+from figure_style import FLUID, SHADES, SOLID, TOTAL, draw, plt
+from run_folder import RunFolder, Table
+
+
+def energy_figure(run: RunFolder, energies: EnergySum | None):
+    """Left: change of the energies of fluid, solid and both. Right: the drift beside the dissipations that explain it."""
+    if energies is None:
+        return None
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.4), layout="constrained")
+    for values, colour, label in ((energies.fluid, FLUID, "fluid"), (energies.solid, SOLID, "solid"),
+                                  (energies.total, TOTAL, "sum")):
+        if np.any(values):
+            draw(left, energies.t, values - values[0], color=colour, label=label)
+    left.set(title="Energy, change since the start", xlabel="t [s]", ylabel=f"energy [{energies.unit}]")
+    left.legend()
+    draw_drift(right, run, energies)
+    return figure
+
+
+def draw_drift(axes, run: RunFolder, energies: EnergySum) -> None:
+    """The drift as a line over the stack of what was dissipated: where the two part, the balance is not closed."""
+    parts = []
+    for side, columns in DISSIPATIONS.items():
+        table = run.table(f"{side}/energy.csv")
+        for name, label in columns:
+            if table is not None and name in table and np.any(table[name]):
+                parts.append((f"{label}: {table[name][-1]:.3g}", np.interp(energies.t, table["t"], table[name])))
+    if parts:
+        every = max(1, len(energies.t) // 700)
+        stack = [-values[::every] for _, values in parts]
+        axes.stackplot(energies.t[::every], stack, labels=[label for label, _ in parts], colors=SHADES, alpha=0.55, linewidth=0)
+    draw(axes, energies.t, energies.drift, color=TOTAL, label=f"drift of the sum: {energies.drift[-1]:.3g}")
+    axes.set(title="Drift of the sum, and what was dissipated", xlabel="t [s]", ylabel=f"energy [{energies.unit}]")
+    axes.legend(loc="lower left", fontsize=7.5, title=f"at the end [{energies.unit}]", title_fontsize=7.5)
+
+
+def relative_mismatch(interface: Table) -> np.ndarray:
+    """|W_fluid + W_solid| over the largest |W| so far, at every row."""
+    fluid, solid = interface["work_on_fluid"], interface["work_on_solid"]
+    largest = np.maximum.accumulate(np.maximum(np.abs(fluid), np.abs(solid)))
+    return np.divide(np.abs(fluid + solid), largest, out=np.zeros_like(fluid), where=largest > 0)
+
+
+def running_mean(t: np.ndarray, y: np.ndarray, span: float) -> np.ndarray:
+    """Mean of y over a window of the length `span` [s] around each instant, shorter at the ends."""
+    total = np.concatenate(([0.0], np.cumsum(y)))
+    low, high = np.searchsorted(t, t - span / 2), np.searchsorted(t, t + span / 2, side="right")
+    return (total[high] - total[low]) / (high - low)
+
+
+def draw_forces(axes, interface: Table) -> None:
+    """What the fluid sent, every step, and over it the mean of what the solid applied."""
+    t = interface["t"]
+    span = 0.0125 * (t[-1] - t[0])
+    for axis, colour in (("x", FLUID), ("y", SOLID), ("z", TOTAL)):
+        if f"force_sent_{axis}" in interface:
+            draw(axes, t, interface[f"force_sent_{axis}"], color=colour, linewidth=0.6, alpha=0.3)
+            draw(axes, t, running_mean(t, interface[f"force_received_{axis}"], span), color=colour, label=axis)
+    axes.set(title=f"Force on the solid (line: mean over {1000 * span:.2g} ms)", xlabel="t [s]",
+             ylabel=f"force [{interface.unit('force_sent_x') or 'N/m'}]")
+    axes.legend()
+
+
+def interface_figure(run: RunFolder):
+    """Force and work on both sides of the interface, and the share of the work that gets lost between them."""
+    interface = run.table("coupling/interface.csv")
+    if interface is None:
+        return None
+    figure, (forces, works, mismatch) = plt.subplots(1, 3, figsize=(11.5, 3.2), layout="constrained")
+    draw_forces(forces, interface)
+    unit = interface.unit("work_on_solid") or "J/m"
+    draw(works, interface["t"], interface["work_on_solid"], color=SOLID, label="on the solid")
+    draw(works, interface["t"], -interface["work_on_fluid"], color=FLUID, linestyle=(0, (4, 3)), label="− on the fluid")
+    works.set(title="Interface work", xlabel="t [s]", ylabel=f"work [{unit}]")
+    works.legend()
+    draw(mismatch, interface["t"], 100 * relative_mismatch(interface), color=TOTAL)
+    mismatch.set(title="Work mismatch", xlabel="t [s]", ylabel="share of the peak work so far [%]", ylim=(0, None))
+    return figure
+
+
+def wait_figure(run: RunFolder):
+    """How long each side has waited for the other, summed over the steps, on the wall clock."""
+    interface = run.table("coupling/interface.csv")
+    if interface is None or "wait_fluid" not in interface:
+        return None
+    figure, axes = plt.subplots(figsize=(5.6, 2.6), layout="constrained")
+    draw(axes, interface["t"], np.cumsum(interface["wait_fluid"]), color=FLUID, label="fluid waited for the solid")
+    draw(axes, interface["t"], np.cumsum(interface["wait_solid"]), color=SOLID, label="solid waited for the fluid")
+    axes.set(title="Who waited for whom", xlabel="t [s]", ylabel="wall time [s]", ylim=(0, None))
+    axes.legend()
+    return figure
+
+
+def probe_figure(run: RunFolder, side: str):
+    """Every probe of one side, one panel a unit; for cases that bring no picture of their own."""
+    table = run.table(f"{side}/probes.csv")
+    if table is None:
+        return None
+    units = sorted({table.unit(name) for name in table.headers[1:]})[:4]
+    figure, grid = plt.subplots(1, len(units), figsize=(11.5, 3.0), squeeze=False, layout="constrained")
+    for axes, unit in zip(grid.flat, units):
+        for name in [header for header in table.headers[1:] if table.unit(header) == unit][:8]:
+            draw(axes, table["t"], table[name], label=name.split("[")[0], linewidth=1.1)
+        axes.set(title=f"Probes of the {side}", xlabel="t [s]", ylabel=f"[{unit}]")
+        axes.legend(fontsize=7.5)
+    return figure

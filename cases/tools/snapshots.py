@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Draws one instant of a coupled run: water coloured by pressure, the solid's mesh deformed, the rigid walls."""
+from dataclasses import dataclass, field
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from field_file import FieldStep
+from figure_style import SOLID, WATER, plt
+
+# The corner-and-edge walk around a cell, by number of nodes: eight nodes are four corners, then four mid-sides.
+OUTLINE = {3: (0, 1, 2), 4: (0, 1, 2, 3), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
+
+
+@dataclass
+class View:
+    """What a snapshot shows: the window [m], the pressure at the dark end of the colours [Pa], the walls' corners [m]."""
+    window: tuple[float, float, float, float]
+    pressure: float
+    spacing: float
+    walls: list[list[tuple[float, float]]] = field(default_factory=list)
+
+
+def draw_water(axes, step: FieldStep, view: View):
+    """The particles as squares of about their own size, coloured by pressure."""
+    x, y = step.points[:, 0], step.points[:, 1]
+    low_x, high_x, low_y, high_y = view.window
+    margin = view.spacing
+    inside = (x > low_x - margin) & (x < high_x + margin) & (y > low_y - margin) & (y < high_y + margin)
+    box = axes.get_window_extent()
+    points_per_metre = box.width / axes.figure.dpi * 72 / (high_x - low_x)
+    size = max(view.spacing * points_per_metre * 1.15, 0.5)
+    return axes.scatter(x[inside], y[inside], c=np.ravel(step.fields["pressure"])[inside], s=size**2, marker="o",
+                        cmap=WATER, vmin=0.0, vmax=view.pressure, linewidths=0, rasterized=True)
+
+
+def draw_solid(axes, step: FieldStep) -> None:
+    """The deformed mesh: cells filled, their edges as hair lines. Without cells, the nodes as points."""
+    position = step.points[:, :2]
+    if step.connectivity is None or step.connectivity.ndim != 2 or step.connectivity.shape[1] not in OUTLINE:
+        axes.plot(position[:, 0], position[:, 1], "-", color=SOLID, linewidth=2.5)
+        return
+    corners = position[step.connectivity[:, OUTLINE[step.connectivity.shape[1]]]]
+    axes.add_collection(PolyCollection(corners, facecolors="#f0b27a", edgecolors=SOLID, linewidths=0.25))
+
+
+def draw_step(axes, water: FieldStep | None, solid: FieldStep | None, view: View):
+    """One panel; returns the scatter that carries the colours, or None."""
+    low_x, high_x, low_y, high_y = view.window
+    axes.set(xlim=(low_x, high_x), ylim=(low_y, high_y), aspect="equal")
+    axes.grid(False)
+    axes.add_collection(LineCollection(view.walls, colors="#444444", linewidths=1.4))
+    colours = draw_water(axes, water, view) if water is not None else None
+    if solid is not None:
+        draw_solid(axes, solid)
+    return colours
+
+
+def snapshot_figure(water_file, solid_file, times, view: View, columns: int = 4):
+    """A figure with one panel for each of the times [s] the run has reached; None where it reached none."""
+    panels = []
+    for time in times:
+        water = water_file.nearest(time) if water_file else None
+        solid = solid_file.nearest(time) if solid_file else None
+        if water is not None or solid is not None:
+            panels.append((water, solid))
+    if not panels:
+        return None
+    rows = -(-len(panels) // columns)
+    low_x, high_x, low_y, high_y = view.window
+    width = 11.5
+    height = rows * (width / columns * (high_y - low_y) / (high_x - low_x) + 0.32)
+    figure, grid = plt.subplots(rows, columns, figsize=(width, height), squeeze=False, layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.02, h_pad=0.02)
+    figure.draw_without_rendering()
+    colours = None
+    for index, axes in enumerate(grid.flat):
+        if index >= len(panels):
+            axes.axis("off")
+            continue
+        water, solid = panels[index]
+        colours = draw_step(axes, water, solid, view) or colours
+        axes.set_title(f"t = {(water or solid).time:.3f} s", fontsize=9)
+        axes.tick_params(labelsize=7, labelleft=index % columns == 0, labelbottom=index + columns >= len(panels))
+        if index % columns == 0:
+            axes.set_ylabel("y [m]", fontsize=8)
+        if index + columns >= len(panels):
+            axes.set_xlabel("x [m]", fontsize=8)
+    if colours is not None:
+        bar = figure.colorbar(colours, ax=grid, extend="both", shrink=0.6, aspect=30, pad=0.01)
+        bar.set_label("pressure [Pa]  (orange: below zero)", fontsize=8)
+        bar.ax.tick_params(labelsize=7)
+        bar.outline.set_visible(False)
+    return figure
