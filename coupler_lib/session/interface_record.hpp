@@ -5,6 +5,7 @@
 #include "coupler_lib/coupling/surface.hpp"
 
 #include <string>
+#include <vector>
 
 namespace coupler {
 
@@ -13,20 +14,21 @@ namespace coupler {
 /// Written by one rank, from the reports that travel with the packets.
 class InterfaceRecord {
 public:
-    explicit InterfaceRecord(const std::string& output_dir);
+    InterfaceRecord(const std::string& output_dir, int dimension);
 
     /// Adds the exchange at `window.time` to the audit.
-    void add(const Window& window, const FluidReport& fluid, const SolidReport& solid) { audit_.add(window, fluid, solid); }
+    void add(const Window& window, const FluidReport& fluid, const SolidReport& solid);
     /// One row in each table for the last exchange added.
-    void write(const Window& window, const FluidReport& fluid, const SolidReport& solid);
+    void write();
 
     const InterfaceAudit& audit() const { return audit_; }
-    /// Drift of the total energy at the last row [J].
+    /// Drift of the total energy at the last exchange [J].
     double energy_drift() const { return drift_; }
 
 private:
     InterfaceAudit audit_;
     base::CsvWriter interface_, energy_;
+    std::vector<double> energies_;
     bool started_ = false;
     double balance_start_ = 0, drift_ = 0;
 };
