@@ -54,13 +54,13 @@ public:
     /// window must then say `last` and `stop_requested`.
     [[nodiscard]] bool stop_agreed() const;
 
-    [[nodiscard]] double wait_seconds() const;            ///< waited in `receive` so far, this rank [s]
-    [[nodiscard]] std::int64_t bytes_sent() const;        ///< payload sent so far, this rank [byte]
-    [[nodiscard]] std::int64_t bytes_received() const;    ///< payload received so far, this rank [byte]
+    [[nodiscard]] double wait_seconds() const;         ///< waited in `receive` so far, this rank [s]
+    [[nodiscard]] std::int64_t bytes_sent() const;     ///< payload sent so far, this rank [byte]
+    [[nodiscard]] std::int64_t bytes_received() const; ///< payload received so far, this rank [byte]
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 
-}    // namespace coupler
+} // namespace coupler

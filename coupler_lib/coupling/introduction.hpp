@@ -14,11 +14,11 @@ struct Introduction {
     std::string config_hash;
     std::string version;
     std::string launch_advice;
-    std::string failure;        ///< message of an error met before the handshake, or empty
-    int failure_code = 0;       ///< its exit code, 0: none
+    std::string failure;  ///< message of an error met before the handshake, or empty
+    int failure_code = 0; ///< its exit code, 0: none
     std::string host;
     int pid = 0;
-    int appnum = 0;             ///< launch segment of mpirun; 0 for all under `srun --multi-prog`
+    int appnum = 0; ///< launch segment of mpirun; 0 for all under `srun --multi-prog`
 };
 
 /// Binary form for one message. `unpack` throws base::Error(bad_input) on a text that is cut short.
@@ -27,8 +27,8 @@ Introduction unpack_introduction(const std::string& text);
 
 /// What world rank 0 makes of all introductions.
 struct Verdict {
-    int code = 0;               ///< exit code, 0: the run may start
-    std::string message;        ///< what is wrong and what to do
+    int code = 0;        ///< exit code, 0: the run may start
+    std::string message; ///< what is wrong and what to do
 };
 
 /// Judges a complete set of introductions, in world rank order. The first matching case decides:
@@ -37,7 +37,4 @@ struct Verdict {
 /// names), different versions (2).
 Verdict judge(const std::vector<Introduction>& introductions);
 
-/// The name among `known` with the smallest edit distance to `name`; empty when all are farther than half its length.
-std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
-
-}    // namespace coupler
+} // namespace coupler

@@ -15,16 +15,16 @@ namespace coupler {
 
 /// What a rank needs to know to take part in a run; the same on every rank of a role.
 struct ParticipantSettings {
-    std::string role;                          ///< by default what the executable is: "fluid", "solid"
-    std::vector<std::string> expected_roles;   ///< all roles of the run, own one included; empty or {role}: runs alone
-    std::string config_file;                   ///< the shared file, for messages
-    std::string config_hash;                   ///< of its content with all overrides; must agree on all ranks
-    std::string version;                       ///< git hash; must agree on all ranks
-    std::string launch_advice;                 ///< the mpirun line that starts the whole run
-    std::string failure;                       ///< what went wrong before the handshake (files not readable, ...)
-    base::ExitCode failure_code = base::ExitCode::done;    ///< `done`: nothing went wrong
-    double handshake_timeout = 30;             ///< [s]
-    double silence_timeout = 300;              ///< longest wait for a partner [s]
+    std::string role;                        ///< by default what the executable is: "fluid", "solid"
+    std::vector<std::string> expected_roles; ///< all roles of the run, own one included; empty or {role}: runs alone
+    std::string config_file;                 ///< the shared file, for messages
+    std::string config_hash;                 ///< of its content with all overrides; must agree on all ranks
+    std::string version;                     ///< git hash; must agree on all ranks
+    std::string launch_advice;               ///< the mpirun line that starts the whole run
+    std::string failure;                     ///< what went wrong before the handshake (files not readable, ...)
+    base::ExitCode failure_code = base::ExitCode::done; ///< `done`: nothing went wrong
+    double handshake_timeout = 30;                      ///< [s]
+    double silence_timeout = 300;                       ///< longest wait for a partner [s]
 };
 
 /// An error that all ranks agree on and whose message is out already: the catcher prints nothing.
@@ -33,14 +33,12 @@ class AgreedError : public base::Error {
 public:
     AgreedError(base::ExitCode code, const std::string& message, bool orderly)
         : base::Error(code, message), orderly_(orderly)
-    {
-    }
+    {}
     [[nodiscard]] bool orderly() const { return orderly_; }
 
 private:
     bool orderly_;
 };
-
 
 /// This rank as a member of a coupled run (or of one that runs alone).
 ///
@@ -57,27 +55,28 @@ public:
     Participant& operator=(const Participant&) = delete;
 
     [[nodiscard]] const std::string& role() const;
-    [[nodiscard]] bool coupled() const;                            ///< false when the role runs alone
-    [[nodiscard]] const base::Communicator& comm() const;          ///< of my role
-    [[nodiscard]] MPI_Comm coupling_comm() const;                  ///< all ranks of the run, for the interfaces only
+    [[nodiscard]] bool coupled() const;                   ///< false when the role runs alone
+    [[nodiscard]] const base::Communicator& comm() const; ///< of my role
+    [[nodiscard]] MPI_Comm coupling_comm() const;         ///< all ranks of the run, for the interfaces only
     [[nodiscard]] int world_rank() const;
-    [[nodiscard]] std::vector<std::string> partners() const;       ///< the other roles
-    [[nodiscard]] std::vector<int> ranks_of(const std::string& role) const;    ///< world ranks, ascending
-    [[nodiscard]] std::vector<int> partner_ranks() const;          ///< of the first partner; empty when alone
-    [[nodiscard]] const Introduction& introduction(int world_rank) const;      ///< role, host, pid of any rank
-    [[nodiscard]] std::string name_of(int world_rank) const;       ///< "'solid' (rank 1, pid 4711, host gauss)"
+    [[nodiscard]] std::vector<std::string> partners() const;                ///< the other roles
+    [[nodiscard]] std::vector<int> ranks_of(const std::string& role) const; ///< world ranks, ascending
+    [[nodiscard]] std::vector<int> partner_ranks() const;                   ///< of the first partner; empty when alone
+    [[nodiscard]] const Introduction& introduction(int world_rank) const;   ///< role, host, pid of any rank
+    [[nodiscard]] std::string name_of(int world_rank) const; ///< "'solid' (rank 1, pid 4711, host gauss)"
 
     /// Where the run is; used in messages only.
     void set_clock(std::int64_t step, double time);
 
-    /// Looks for signals and for errors of other ranks; call once a step. Costs below a microsecond.
+    /// Looks for errors of other ranks; call once a step. Costs below a microsecond. Throws AgreedError when another
+    /// rank failed.
     ///
-    /// Throws AgreedError when another rank failed. Leaves the process with code 4, naming who vanished, when SIGTERM
-    /// came because a partner died; a SIGTERM (or SIGUSR1) while all live sets `stop_requested`.
+    /// Signals need no call: when SIGTERM comes because a partner died, a thread of its own names who vanished and
+    /// leaves the process with code 4; SIGTERM while all live, or SIGUSR1, sets `stop_requested`.
     void check_signals();
 
-    [[nodiscard]] bool stop_requested() const;    ///< this rank was asked to stop; agreed on at the next exchange
-    void request_stop();                          ///< as if a signal had come (wall-time limit)
+    [[nodiscard]] bool stop_requested() const; ///< this rank was asked to stop; agreed on at the next exchange
+    void request_stop();                       ///< as if a signal had come (wall-time limit)
 
     /// Waits until `done()` is true: spins briefly, then yields, then sleeps tens of microseconds, and meanwhile looks
     /// for signals and errors.
@@ -95,8 +94,8 @@ public:
     double wait_all(std::vector<MPI_Request>& requests, const char* what, const std::vector<int>& from);
 
     /// Ends the whole run with this error: tells every other rank, makes sure that one message comes out, waits a short
-    /// grace and calls MPI_Abort with the error's code. An AgreedError is not told and not printed again. Never returns,
-    /// except for an orderly AgreedError.
+    /// grace and calls MPI_Abort with the error's code. An AgreedError is not told and not printed again. Returns only
+    /// when MPI can be finalised: for an orderly AgreedError, and when this rank is alone in the world.
     void report_failure(const base::Error& error) noexcept;
 
     /// Regular end: partners that still wait for this rank learn at once that it has left. Call before leaving.
@@ -107,4 +106,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}    // namespace coupler
+} // namespace coupler

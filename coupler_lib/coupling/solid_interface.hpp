@@ -46,14 +46,14 @@ public:
     /// last `send`, naming node, position and rank.
     void send(const SurfaceMotion& motion, const SolidReport& report);
 
-    [[nodiscard]] const WetSurface& surface() const;      ///< as registered
-    [[nodiscard]] double wait_seconds() const;            ///< waited in `receive` so far, this rank [s]
-    [[nodiscard]] std::int64_t bytes_sent() const;        ///< payload sent so far, this rank [byte]
-    [[nodiscard]] std::int64_t bytes_received() const;    ///< payload received so far, this rank [byte]
+    [[nodiscard]] const WetSurface& surface() const;   ///< as registered
+    [[nodiscard]] double wait_seconds() const;         ///< waited in `receive` so far, this rank [s]
+    [[nodiscard]] std::int64_t bytes_sent() const;     ///< payload sent so far, this rank [byte]
+    [[nodiscard]] std::int64_t bytes_received() const; ///< payload received so far, this rank [byte]
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 
-}    // namespace coupler
+} // namespace coupler

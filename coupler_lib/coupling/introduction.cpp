@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/coupling/introduction.hpp"
+
+#include "coupler_lib/coupling/text_packet.hpp"
+#include "coupler_lib/foundation/check.hpp"
+
+namespace coupler {
+
+std::string pack(const Introduction& introduction)
+{
+    TextPacker packer;
+    packer.put(introduction.role);
+    packer.put(introduction.expected_roles);
+    packer.put(introduction.config_file);
+    packer.put(introduction.config_hash);
+    packer.put(introduction.version);
+    packer.put(introduction.launch_advice);
+    packer.put(introduction.failure);
+    packer.put(introduction.host);
+    packer.put(introduction.failure_code);
+    packer.put(introduction.pid);
+    packer.put(introduction.appnum);
+    return packer.text();
+}
+
+Introduction unpack_introduction(const std::string& text)
+{
+    TextUnpacker unpacker(text);
+    Introduction introduction;
+    unpacker.take(introduction.role);
+    unpacker.take(introduction.expected_roles);
+    unpacker.take(introduction.config_file);
+    unpacker.take(introduction.config_hash);
+    unpacker.take(introduction.version);
+    unpacker.take(introduction.launch_advice);
+    unpacker.take(introduction.failure);
+    unpacker.take(introduction.host);
+    unpacker.take(introduction.failure_code);
+    unpacker.take(introduction.pid);
+    unpacker.take(introduction.appnum);
+    return introduction;
+}
+
+} // namespace coupler

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "coupler_lib/coupling/packet.hpp"
+
+#include <cstdint>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace coupler {
+
+class Participant;
+
+/// One packet to and one packet from every rank of the partner, directly, with bounded waits. Buffers are kept.
+class PacketExchange {
+public:
+    /// \param peers       world ranks of the partner, ascending
+    /// \param send_field  what I send; what I receive is the other one
+    PacketExchange(Participant& participant, std::vector<int> peers, Field send_field);
+    ~PacketExchange();
+    PacketExchange(const PacketExchange&) = delete;
+    PacketExchange& operator=(const PacketExchange&) = delete;
+
+    std::size_t size() const { return peers_.size(); }
+    int world_rank(std::size_t peer) const { return peers_[peer].rank; }
+
+    /// The buffer for the next packet to this peer, empty but for the room of its header. Waits until the last one is out.
+    PacketWriter& outgoing(std::size_t peer);
+    /// Sends it; sequence and field are filled in.
+    void send(std::size_t peer, PacketHeader header);
+
+    /// Waits for one packet of every peer. Throws as Participant::wait_until does. \param what for the message
+    void receive_all(const std::string& what);
+    const std::vector<char>& incoming(std::size_t peer) const { return peers_[peer].incoming; }
+
+    /// Throws base::Error(bad_input), naming both views, unless the packet is what `expected` says: field, sequence (my
+    /// own count), step, time, dt and dimension.
+    void check(std::size_t peer, const PacketHeader& got, PacketHeader expected) const;
+
+    double wait_seconds() const { return waited_; }
+    std::int64_t bytes_sent() const { return bytes_sent_; }
+    std::int64_t bytes_received() const { return bytes_received_; }
+
+private:
+    struct Peer {
+        int rank = 0;
+        PacketWriter outgoing;
+        std::vector<char> incoming;
+        MPI_Request sending = MPI_REQUEST_NULL;
+        MPI_Request receiving = MPI_REQUEST_NULL;
+        bool here = false;
+        std::int64_t sent = 0;
+        std::int64_t received = 0;
+    };
+    bool advance();
+    std::vector<int> missing() const;
+
+    Participant& participant_;
+    std::vector<Peer> peers_;
+    Field send_field_;
+    Field receive_field_;
+    double waited_ = 0;
+    std::int64_t bytes_sent_ = 0;
+    std::int64_t bytes_received_ = 0;
+};
+
+} // namespace coupler

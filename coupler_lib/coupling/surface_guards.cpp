@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/coupling/surface_guards.hpp"
+
+#include "coupler_lib/coupling/facet_geometry.hpp"
+#include "coupler_lib/foundation/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace coupler {
+namespace {
+
+std::size_t node_count(const WetSurface& surface) { return surface.node_ids.size(); }
+
+/// The first entry that is not a number, as a node's index, or the number of nodes.
+std::size_t first_bad_node(const std::vector<double>& values, int dimension)
+{
+    const auto bad = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+    return static_cast<std::size_t>(bad - values.begin()) / static_cast<std::size_t>(dimension);
+}
+
+double distance(const double* a, const double* b, int dimension)
+{
+    double square = 0;
+    for (int d = 0; d < dimension; ++d) square += (a[d] - b[d]) * (a[d] - b[d]);
+    return std::sqrt(square);
+}
+
+/// Load on a facet as a pressure [Pa]: the larger of both kinds.
+double pressure_of(const FacetBatch& facets, const FacetLoads& loads, std::size_t facet)
+{
+    double pressure = 0;
+    const auto dimension = static_cast<std::size_t>(facets.dimension);
+    if (!loads.corner_force.empty()) {
+        double square = 0;
+        for (std::size_t d = 0; d < dimension; ++d) {
+            base::ReproducibleSum sum;
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                sum += loads.corner_force[(4 * facet + corner) * dimension + d];
+            square += sum.value() * sum.value();
+        }
+        pressure =
+            std::sqrt(square) / facet_measure(facets.facet_nodes[facet], facets.motion.position, facets.dimension);
+    }
+    if (!loads.weight.empty() && loads.weight[facet].value() > 0)
+        pressure = std::max(pressure, std::abs(loads.weighted_pressure[facet].value() / loads.weight[facet].value()));
+    return pressure;
+}
+
+} // namespace
+
+MotionGuard::MotionGuard(const WetSurface& surface, double limit)
+{
+    double size = 0;
+    for (const auto& nodes : surface.facet_nodes) {
+        const double measure = facet_measure(nodes, surface.reference, surface.dimension);
+        size += surface.dimension == 2 ? measure : std::sqrt(measure);
+    }
+    const auto facets = static_cast<double>(surface.facet_nodes.size());
+    longest_move_ = facets > 0 ? limit * size / facets : std::numeric_limits<double>::infinity();
+}
+
+void MotionGuard::check(const WetSurface& surface, const SurfaceMotion& motion, const std::string& who)
+{
+    const int dimension = surface.dimension;
+    const std::size_t values = node_count(surface) * static_cast<std::size_t>(dimension);
+    base::require_input(
+        motion.position.size() == values && motion.velocity.size() == values && motion.acceleration.size() == values,
+        who, ": the motion has ", motion.position.size(), ", ", motion.velocity.size(), " and ",
+        motion.acceleration.size(), " values of position, velocity and acceleration; the surface needs ", values);
+    const std::size_t bad =
+        std::min({first_bad_node(motion.position, dimension), first_bad_node(motion.velocity, dimension),
+                  first_bad_node(motion.acceleration, dimension)});
+    if (bad < node_count(surface)) {
+        const auto at = static_cast<std::ptrdiff_t>(bad) * dimension;
+        throw base::Error(base::ExitCode::numerical_failure,
+                          base::text(who, ": the motion of wet node ", surface.node_ids[bad], " (reference ",
+                                     point_text(surface.reference.data() + at, dimension),
+                                     ") is not a number: position ", point_text(motion.position.data() + at, dimension),
+                                     ", velocity ", point_text(motion.velocity.data() + at, dimension),
+                                     ", acceleration ", point_text(motion.acceleration.data() + at, dimension)));
+    }
+    for (std::size_t node = 0; node < node_count(surface) && !last_position_.empty(); ++node) {
+        const auto at = static_cast<std::ptrdiff_t>(node) * dimension;
+        const double move = distance(motion.position.data() + at, last_position_.data() + at, dimension);
+        base::require(
+            move <= longest_move_, base::ExitCode::numerical_failure, who, ": wet node ", surface.node_ids[node],
+            " jumped by ", move, " m in one step, from ", point_text(last_position_.data() + at, dimension), " to ",
+            point_text(motion.position.data() + at, dimension), "; the limit is ", longest_move_,
+            " m (interface.motion_jump_limit mean facet sizes): the step is too large or the run has diverged");
+    }
+    last_position_ = motion.position;
+}
+
+void check_loads(const FacetBatch& facets, const FacetLoads& loads, double limit, const std::string& who)
+{
+    if (!(limit < std::numeric_limits<double>::infinity())) return;
+    for (std::size_t facet = 0; facet < facets.facet_ids.size(); ++facet) {
+        const double pressure = pressure_of(facets, loads, facet);
+        if (pressure <= limit) continue;
+        const auto centre = facet_centre(facets.facet_nodes[facet], facets.motion.position, facets.dimension);
+        throw base::Error(base::ExitCode::numerical_failure,
+                          base::text(who, ": the load on wet facet ", facets.facet_ids[facet], " at ",
+                                     point_text(centre.data(), facets.dimension), " is ", pressure,
+                                     " Pa, beyond the limit of ", limit, " Pa: the run has diverged"));
+    }
+}
+
+void check_surface(const WetSurface& surface, const std::string& who)
+{
+    const int dimension = surface.dimension;
+    const std::size_t nodes = node_count(surface);
+    base::require_input(dimension == 2 || dimension == 3, who, ": the wet surface has dimension ", dimension,
+                        ", not 2 or 3");
+    base::require_input(surface.reference.size() == nodes * static_cast<std::size_t>(dimension), who,
+                        ": the wet surface has ", nodes, " nodes and ", surface.reference.size(),
+                        " reference coordinates in ", dimension, "D");
+    base::require_input(surface.facet_ids.size() == surface.facet_nodes.size(), who, ": the wet surface has ",
+                        surface.facet_ids.size(), " facet ids for ", surface.facet_nodes.size(), " facets");
+    for (std::size_t facet = 0; facet < surface.facet_nodes.size(); ++facet) {
+        const auto& list = surface.facet_nodes[facet];
+        const int corners = corner_count(list);
+        base::require_input(dimension == 2 ? corners == 2 : corners >= 3, who, ": wet facet ", surface.facet_ids[facet],
+                            " has ", corners, " nodes in ", dimension, "D");
+        for (int k = 0; k < corners; ++k)
+            base::require_input(static_cast<std::size_t>(list[static_cast<std::size_t>(k)]) < nodes, who,
+                                ": wet facet ", surface.facet_ids[facet], " uses local node ",
+                                list[static_cast<std::size_t>(k)], " of ", nodes);
+        base::require_input(facet_measure(list, surface.reference, dimension) > 0, who, ": wet facet ",
+                            surface.facet_ids[facet], " has no extent");
+    }
+}
+
+} // namespace coupler
