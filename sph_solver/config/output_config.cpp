@@ -8,7 +8,7 @@ base::Table<OutputConfig> output_table()
     return base::Table<OutputConfig>("what is written; a coupled run takes its intervals from coupling.toml")
         .key("interval", &OutputConfig::interval,
              {.unit = "s", .doc = "between two writings of all particles; 0: at the start and the end only", .min = 0})
-        .key("rows_interval", &OutputConfig::rows_interval,
+        .key("table_interval", &OutputConfig::table_interval,
              {.unit = "s", .doc = "between two rows of energy.csv and probes.csv; 0: a row every step", .min = 0});
 }
 

@@ -11,7 +11,7 @@ namespace sph {
 /// [output]
 struct OutputConfig {
     double interval = 0.0;
-    double rows_interval = 0.0;
+    double table_interval = 0.0;
 };
 
 /// [[probes]]: one quantity followed over time, a column (or one a component) of probes.csv.

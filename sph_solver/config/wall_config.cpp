@@ -124,8 +124,7 @@ base::Table<WallConfig> wall_table()
         .key("open", &WallConfig::open,
              {.doc = "sides of a box without a wall (2D: y is up; 3D: z is up)",
               .choices = {"left", "right", "bottom", "top", "front", "back"}})
-        .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"})
-        .key("velocity", &WallConfig::velocity, {.unit = "m/s", .doc = "constant velocity of the wall; none: at rest"});
+        .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"});
 }
 
 WallShape wall_shape(const WallConfig& wall, int dimension)
@@ -133,12 +132,10 @@ WallShape wall_shape(const WallConfig& wall, int dimension)
     WallShape result;
     result.name = wall.name;
     result.dimension = dimension;
-    result.velocity.assign(static_cast<std::size_t>(dimension), 0.0);
-    if (!wall.velocity.empty()) {
-        require_numbers(wall.velocity, static_cast<std::size_t>(dimension), wall, "velocity");
-        result.velocity = wall.velocity;
-    }
-    if (wall.shape == "box") {
+    const bool is_box = wall.shape == "box";
+    base::require_input(is_box ? wall.points.empty() : wall.low.empty() && wall.high.empty(), "wall \"", wall.name,
+                        "\": a box has low and high, a polyline has points; this one mixes them");
+    if (is_box) {
         add_box(result, wall);
     } else {
         add_polyline(result, wall);

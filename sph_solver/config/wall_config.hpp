@@ -19,7 +19,6 @@ struct WallConfig {
     std::vector<double> high;
     std::vector<std::string> open;
     std::vector<double> depth;
-    std::vector<double> velocity;
 };
 
 base::Table<WallConfig> wall_table();
@@ -32,7 +31,6 @@ struct WallShape {
     int dimension = 2;
     std::vector<double> vertices;             ///< points * dimension [m]
     std::vector<std::array<int, 4>> facets;   ///< indices of vertices
-    std::vector<double> velocity;             ///< dimension entries [m/s], zero for a wall at rest
 };
 
 /// Facets of a wall. Throws Error(bad_input), naming the wall, for points of the wrong dimension, missing or

@@ -116,8 +116,8 @@ TEST(Domain, MigrationKeepsEveryParticleExactlyOnceWithAllItsFields)
             ids.push_back(particles.id[i]);
             EXPECT_EQ(particles.mass[i], all.mass[g]);
             EXPECT_EQ(particles.momentum[i], all.momentum[g]);
-            EXPECT_EQ(domain.blocks().grid().key_of(particles.position[i]),
-                      domain.blocks().grid().key_of(all.position[g] + round * Vec<2>(0.3, 0.0)));
+            EXPECT_NEAR(particles.position[i][0], all.position[g][0] + 0.3 * round, 1e-12);
+            EXPECT_EQ(particles.position[i][1], all.position[g][1]);
         }
         ids = world().gather_all(ids);
         std::sort(ids.begin(), ids.end());
