@@ -17,7 +17,7 @@ WATER.set_under("#e8b07a")         # clearly negative pressure
 WATER.set_over("#061a36")
 
 plt.rcParams.update({
-    "figure.dpi": 100, "savefig.bbox": "tight", "savefig.pad_inches": 0.05,
+    "figure.dpi": 100,
     "font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 10, "axes.titleweight": "bold",
     "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.7,
     "axes.edgecolor": "#555555", "axes.grid": True, "grid.color": "#e6e6e6", "grid.linewidth": 0.7,

@@ -5,7 +5,7 @@ from html import escape
 
 from energy import EnergySum
 from expectations import Finding
-from report_figures import relative_mismatch
+from report_figures import worst_mismatch
 from report_page import key_figures, table
 from run_folder import RunFolder
 
@@ -43,7 +43,7 @@ def run_figures(run: RunFolder, summary: dict, energies: EnergySum | None) -> st
         pairs.append((f"energy drift at the end [{energies.unit}]", short(float(energies.drift[-1]), 3)))
     interface = run.table("coupling/interface.csv")
     if interface is not None:
-        pairs.append(("interface work mismatch, largest", f"{100 * relative_mismatch(interface).max():.3g} %"))
+        pairs.append(("interface work mismatch, largest over peak", f"{100 * worst_mismatch(interface):.3g} %"))
     for side in SIDES:
         if "state_hash" in summary.get(side, {}):
             pairs.append((f"{side}: state hash", str(summary[side]["state_hash"])))
@@ -83,6 +83,6 @@ def time_rows(tree: dict, whole: float, level: int = 0) -> list[list[str]]:
 
 def time_table(side: str, part: dict) -> str:
     """Where the wall time of one participant went, nested as the code is."""
-    tree = part.get("time", {})
+    tree = part.get("timers", {})
     whole = part.get("wall_s") or sum(entry.get("seconds", 0.0) for entry in tree.values())
     return table([f"{side}", "seconds", "share", "calls", ""], time_rows(tree, whole), {1, 2, 3})

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Reads what a run wrote: CSV tables with units in their headers, summary.json, used_config.toml.
+"""Reads what a run wrote: CSV tables with units in their headers and summary.json.
 
 Everything here bears a run that was stopped half-way: a last line cut short is left out, a missing file is None.
 """
 import json
-import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -87,7 +86,3 @@ class RunFolder:
         except json.JSONDecodeError as error:
             self.missing.append(f"summary.json (not readable: {error})")
             return {}
-
-    def used_config(self) -> dict:
-        path = self.file("used_config.toml")
-        return tomllib.loads(path.read_text(encoding="utf-8")) if path else {}

@@ -84,17 +84,17 @@ def write_tables(folder: Path) -> None:
     write_csv(folder / "coupling/interface.csv", {
         "t[s]": t, "dt[s]": dt, "force_sent_x[N/m]": 70 - 60 * t + noise, "force_sent_y[N/m]": 30 * ux / 0.04,
         "force_received_x[N/m]": 70 - 60 * t + noise, "force_received_y[N/m]": 30 * ux / 0.04,
-        "work_on_fluid[J/m]": -strain * 1.0005, "work_on_solid[J/m]": strain, "mismatch[J/m]": 0.0005 * strain,
-        "wait_fluid[s]": 2e-4 + zero, "wait_solid[s]": 8e-4 + zero})
+        "work_on_fluid[J/m]": -strain * 1.0005, "work_on_solid[J/m]": strain, "jump_work[J/m]": zero, "mismatch[-]": 0.0005 + zero,
+        "wait_fluid[s]": t, "wait_solid[s]": 4 * t})
 
 
 def write_summary(folder: Path) -> None:
     tree = {"fluxes": {"seconds": 60.0, "calls": 4000}, "gradients": {"seconds": 41.0, "calls": 4000},
             "exchange": {"seconds": 2.0, "calls": 2000, "inside": {"wait": {"seconds": 1.2, "calls": 2000}}}}
     fluid = {"ranks": 1, "particles": 2240, "steps": STEPS, "wall_s": 112.0, "particle_updates_per_s": 1.1e6,
-             "version": "0.1.0 (synthetic)", "state_hash": "0f3c9a51", "time": tree}
+             "version": "0.1.0 (synthetic)", "state_hash": "0f3c9a51", "timers": tree}
     solid = {"ranks": 1, "nodes": 85, "steps": STEPS, "wall_s": 112.0, "version": "0.1.0 (synthetic)",
-             "state_hash": "77b1", "time": {"newton": {"seconds": 21.0, "calls": STEPS}}}
+             "state_hash": "77b1", "timers": {"newton": {"seconds": 21.0, "calls": STEPS}}}
     (folder / "summary.json").write_text(json.dumps({"fluid": fluid, "solid": solid}), encoding="utf-8")
 
 
