@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/foundation/reproducible_sum.hpp"
+#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/gradient_sums.hpp"
+#include "sph_solver/state/particles.hpp"
+#include "sph_solver/walls/walls.hpp"
+
+#include <vector>
+
+namespace sph {
+
+/// Pass 2 at the walls: what each owned particle near a wall gets from its images, and what the wall's points get.
+template<int D> struct WallForces {
+    std::vector<Vec<D>> on_particle; ///< dP_i/dt = -sum S p_e n [N], one for each contact
+    std::vector<Vec<D>> on_wall;     ///< at x_w of each plane [N]; those of a contact add up to minus on_particle
+};
+
+/// Adds the wall's part to rates.momentum and makes `forces` anew. Every image is a neighbour across whose face no mass
+/// passes:
+///
+///     dP_i/dt -= S p_e n,   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
+///
+/// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along their
+/// normals, each part to its own wall.
+/// \pre walls.find_contacts for the present positions; the gradients of owned and halo particles are up to date.
+template<int D>
+void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const Walls<D>& walls, const Particles<D>& particles,
+                         const NeighbourList& neighbours, const FluidModel<D>& model);
+
+/// Rates of work and loss at the walls, this rank's part [W], 2D [W/m].
+struct WallPower {
+    base::ReproducibleSum by_walls;     ///< of the fixed bodies on the fluid, -sum F.v_w
+    base::ReproducibleSum by_interface; ///< of the moving facets on the fluid, -sum F.v_w
+    base::ReproducibleSum dissipation;  ///< power in - (v.dP_i/dt - p dw_i/dt) of the images, summed over particles
+};
+
+/// Adds weight * (power of this evaluation) to `power`.
+/// \param sums of pass 1 of the same evaluation, complete: their wall part is divergence() - fluid_divergence.
+template<int D>
+void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces, const Walls<D>& walls,
+                    const Particles<D>& particles, const GradientField<D>& sums);
+
+} // namespace sph

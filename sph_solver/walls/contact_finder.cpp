@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/walls/contact_finder.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace sph {
+
+namespace {
+constexpr double touch_tolerance = 0.05;     // [dx]
+constexpr double deepest_inside = 0.5;       // [dx] deeper than this, a particle is on the other side of the wall
+constexpr double cos_flat = 0.99985;         // facets within 1 degree of the plane need no cut
+constexpr double cos_opposite = -0.5;        // faces turned away further are the far side of a plate
+} // namespace
+
+template<int D>
+ContactFinder<D>::ContactFinder(const WallFacets<D>& facets, const Touching<D>& touching,
+                                const WallSettings<D>& settings) :
+    facets_(facets),
+    touching_(touching),
+    support_(settings.support),
+    spacing_(settings.spacing),
+    tolerance_(touch_tolerance * settings.spacing),
+    cos_sheet_(std::cos(settings.sheet_angle * std::numbers::pi / 180.0))
+{}
+
+template<int D>
+void ContactFinder<D>::append_planes(const Vec<D>& x, std::span<const int> candidates,
+                                     std::vector<MirrorPlane<D>>& planes)
+{
+    gather(x, candidates);
+    const std::size_t first = planes.size();
+    for (int at = nearest(); at >= 0 && planes.size() < first + D; at = nearest()) {
+        MirrorPlane<D> plane = plane_at(x, at);
+        near_[static_cast<std::size_t>(at)].represented = true;
+        if (!is_usable(plane, planes, first)) continue;
+        mark_represented(plane, at);
+        planes.push_back(plane);
+    }
+}
+
+template<int D> void ContactFinder<D>::gather(const Vec<D>& x, std::span<const int> candidates)
+{
+    near_.clear();
+    for (const int facet : candidates) {
+        const auto closest = base::closest_point(facets_.corners(facet), x);
+        if (closest.squared_distance < support_ * support_) near_.push_back({facet, closest, false});
+    }
+}
+
+/// Position in `near_` of the nearest facet that no plane represents yet, -1 if there is none.
+template<int D> int ContactFinder<D>::nearest() const
+{
+    int best = -1;
+    double least = support_ * support_;
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+        if (near_[k].represented || near_[k].closest.squared_distance >= least) continue;
+        least = near_[k].closest.squared_distance;
+        best = static_cast<int>(k);
+    }
+    return best;
+}
+
+/// Mean normal of the facets that share the nearest point: on an edge its sign tells inside from outside.
+template<int D> Vec<D> ContactFinder<D>::face_normal(int at) const
+{
+    const Near& base = near_[static_cast<std::size_t>(at)];
+    Vec<D> sum = facets_.normal(base.facet);
+    const auto touching = touching_.of(base.facet);
+    const auto& weight = base.closest.weight;
+    if (*std::min_element(weight.begin(), weight.end()) > 0) return sum;
+    for (const Near& other : near_) {
+        if ((other.closest.point - base.closest.point).norm() > 1e-9 * spacing_ || other.facet == base.facet) continue;
+        if (std::binary_search(touching.begin(), touching.end(), other.facet)) sum += facets_.normal(other.facet);
+    }
+    return sum.norm() > 0.1 ? Vec<D>(sum.normalized()) : facets_.normal(base.facet);
+}
+
+/// Is the nearest point a free end, and the particle beyond it? There it cannot be inside.
+template<int D> bool ContactFinder<D>::is_beyond_end(int at, const Vec<D>& from_wall) const
+{
+    const Near& base = near_[static_cast<std::size_t>(at)];
+    const auto& corners = facets_.corners(base.facet);
+    for (int c = 0; c < D; ++c) {
+        if (base.closest.weight[static_cast<std::size_t>(c)] < 1 || !touching_.is_free_end(base.facet, c)) continue;
+        if (from_wall.dot(base.closest.point - corners[static_cast<std::size_t>((c + 1) % D)]) > 0) return true;
+    }
+    return false;
+}
+
+template<int D> MirrorPlane<D> ContactFinder<D>::plane_at(const Vec<D>& x, int at) const
+{
+    const Near& base = near_[static_cast<std::size_t>(at)];
+    const Vec<D> face = face_normal(at);
+    MirrorPlane<D> plane;
+    plane.facet = base.facet;
+    plane.weight = base.closest.weight;
+    plane.point = base.closest.point;
+    const Vec<D> from_wall = x - plane.point;
+    const double distance = from_wall.norm();
+    const bool outside = from_wall.dot(face) >= 0 || is_beyond_end(at, from_wall);
+    plane.distance = outside ? distance : -distance;
+    plane.normal = distance > 1e-6 * spacing_ ? Vec<D>(from_wall / plane.distance) : face;
+    plane.velocity = facets_.velocity(plane.facet, plane.weight);
+    plane.acceleration = facets_.acceleration(plane.facet, plane.weight);
+    return plane;
+}
+
+/// Not the far side of a wall: a particle far inside stands on its other side, and so does one that is inside of a face
+/// that looks away from a nearer one.
+template<int D>
+bool ContactFinder<D>::is_usable(const MirrorPlane<D>& plane, const std::vector<MirrorPlane<D>>& planes,
+                                 std::size_t first) const
+{
+    if (plane.distance >= 0) return true;
+    if (plane.distance < -deepest_inside * spacing_) return false;
+    for (std::size_t p = first; p < planes.size(); ++p)
+        if (plane.normal.dot(planes[p].normal) < cos_opposite) return false;
+    return true;
+}
+
+/// Marks every facet that the plane stands for, going from touching facet to touching facet, and notes the cuts.
+template<int D> void ContactFinder<D>::mark_represented(MirrorPlane<D>& plane, int at)
+{
+    queue_.assign(1, near_[static_cast<std::size_t>(at)].facet);
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+        const int facet = queue_[head];
+        add_cuts(plane, facet);
+        const auto touching = touching_.of(facet);
+        for (Near& other : near_) {
+            if (other.represented || !std::binary_search(touching.begin(), touching.end(), other.facet)) continue;
+            if (!represents(plane, other.facet)) continue;
+            other.represented = true;
+            queue_.push_back(other.facet);
+        }
+    }
+    drop_covered_cuts(plane);
+}
+
+/// Where the sheet goes on in front of a cut, the body does too: a wall that meets the gate flush may have a face inside.
+template<int D> void ContactFinder<D>::drop_covered_cuts(MirrorPlane<D>& plane) const
+{
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < plane.cut_count; ++c) {
+        const Cut<D> cut = plane.cuts[c];
+        const bool covered = std::any_of(queue_.begin(), queue_.end(), [&](int facet) {
+            if (facets_.normal(facet).dot(plane.normal) < cos_sheet_) return false;
+            const auto& corners = facets_.corners(facet);
+            return std::any_of(corners.begin(), corners.end(),
+                               [&](const Vec<D>& x) { return cut.normal.dot(x) > cut.offset + tolerance_; });
+        });
+        if (!covered) plane.cuts[kept++] = cut;
+    }
+    plane.cut_count = kept;
+}
+
+template<int D> bool ContactFinder<D>::represents(const MirrorPlane<D>& plane, int facet) const
+{
+    return facets_.normal(facet).dot(plane.normal) >= cos_sheet_ || lies_behind(plane, facet);
+}
+
+template<int D> bool ContactFinder<D>::lies_behind(const MirrorPlane<D>& plane, int facet) const
+{
+    for (const auto& corner : facets_.corners(facet))
+        if ((corner - plane.point).dot(plane.normal) > tolerance_) return false;
+    return true;
+}
+
+template<int D> void ContactFinder<D>::add_cuts(MirrorPlane<D>& plane, int facet) const
+{
+    const auto& corners = facets_.corners(facet);
+    const Vec<D>& normal = facets_.normal(facet);
+    const double turn = normal.dot(plane.normal);
+    if (turn < cos_flat && turn >= cos_opposite && lies_behind(plane, facet)) add_cut(plane, normal, corners[0]);
+    for (int c = 0; c < D; ++c) {
+        if (!touching_.is_free_end(facet, c)) continue;
+        const auto& end = corners[static_cast<std::size_t>(c)];
+        add_cut(plane, (end - corners[static_cast<std::size_t>((c + 1) % D)]).normalized(), end);
+    }
+}
+
+/// A cut counts only where it leaves the plane's own point in the body, and once.
+template<int D> void ContactFinder<D>::add_cut(MirrorPlane<D>& plane, const Vec<D>& normal, const Vec<D>& point) const
+{
+    const double offset = normal.dot(point);
+    if (normal.dot(plane.point) > offset + tolerance_ || plane.cut_count == MirrorPlane<D>::max_cuts) return;
+    for (std::size_t c = 0; c < plane.cut_count; ++c)
+        if (normal.dot(plane.cuts[c].normal) > cos_flat && std::abs(offset - plane.cuts[c].offset) < tolerance_) return;
+    plane.cuts[plane.cut_count++] = {normal, offset};
+}
+
+template class ContactFinder<2>;
+template class ContactFinder<3>;
+
+} // namespace sph

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/numerics/pair_flux.hpp"
+#include "sph_solver/state/particles.hpp"
+#include "sph_solver/walls/mirror_plane.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace sph {
+
+/// One image of particle j as particle i sees it: j mirrored in path[0], then in path[1], ...
+template<int D> struct Image {
+    int source = 0;                                ///< j, or i itself
+    Vec<D> x_ij = Vec<D>::Zero();                  ///< from i to the image [m]
+    double squared_distance = 0;                   ///< |x_ij|^2 [m^2]
+    double weight = 1;                             ///< share of the source's volume that the image has, in (0, 1]
+    int order = 0;                                 ///< number of planes in the path
+    std::array<const MirrorPlane<D>*, D> path{};
+    std::array<double, D> height{};                ///< over path[k] before the k-th mirroring [m], positive
+};
+
+/// Finds all images that a particle sees, without storing them.
+///
+/// A neighbour j (and i itself) with s = (x_j - x_w).n > 0 has the image x' = x_j - 2 s n; in a corner the images of two
+/// planes are mirrored again in the other one, in 3D the images of three. So that every piece of space behind the walls is
+/// filled once, whatever the corner's angle, an image made by plane P last counts only where it is deeper behind P than
+/// behind any other plane in front of which j stands (with a linear change over half a dx, both together always 1), and fades out
+/// within half a dx beyond a cut of P.
+template<int D> class ImageFinder {
+public:
+    explicit ImageFinder(const WallSettings<D>& settings) :
+        squared_support_(settings.support * settings.support),
+        blend_(0.25 * settings.spacing),
+        fade_(0.5 * settings.spacing),
+        least_height_(0.5 * settings.image_distance * settings.spacing)
+    {}
+
+    /// Calls visit(const Image<D>&) for i's own images, then for those of its neighbours, in the order of the list.
+    template<class Visit>
+    void for_each(const WallContact& contact, const std::vector<MirrorPlane<D>>& planes,
+                  const std::vector<Vec<D>>& position, std::span<const int> neighbours, Visit&& visit) const
+    {
+        const std::span<const MirrorPlane<D>> mine(planes.data() + contact.plane_begin,
+                                                   static_cast<std::size_t>(contact.plane_end - contact.plane_begin));
+        const Vec<D>& x_i = position[static_cast<std::size_t>(contact.particle)];
+        images_of(contact.particle, x_i, x_i, mine, least_height_, visit);
+        for (const int j : neighbours) {
+            const Vec<D>& x_j = position[static_cast<std::size_t>(j)];
+            if ((x_j - x_i).squaredNorm() < squared_support_) images_of(j, x_j, x_i, mine, 0.0, visit);
+        }
+    }
+
+private:
+    struct Source {
+        const Vec<D>&x_j, &x_i;
+        std::span<const MirrorPlane<D>> planes;
+        std::array<double, D> height; ///< of x_j over each plane [m]
+    };
+
+    template<class Visit>
+    void images_of(int j, const Vec<D>& x_j, const Vec<D>& x_i, std::span<const MirrorPlane<D>> planes, double least,
+                   Visit& visit) const
+    {
+        Source source{x_j, x_i, planes, {}};
+        for (std::size_t p = 0; p < planes.size(); ++p) {
+            source.height[p] = (x_j - planes[p].point).dot(planes[p].normal);
+            if (least > 0) source.height[p] = std::max(source.height[p], least);
+        }
+        Image<D> image;
+        image.source = j;
+        for (std::size_t p = 0; p < planes.size(); ++p) extend(image, x_j, source, 0u, p, visit);
+    }
+
+    /// Mirrors what stands at x in plane p, reports the image, and goes on to the planes not yet used.
+    template<class Visit>
+    void extend(Image<D> image, const Vec<D>& x, const Source& source, unsigned used, std::size_t p,
+                Visit& visit) const
+    {
+        const MirrorPlane<D>& plane = source.planes[p];
+        const double s = image.order == 0 ? source.height[p] : (x - plane.point).dot(plane.normal);
+        if (source.height[p] <= 0 || s <= 0) return;
+        const Vec<D> x_image = x - (2 * s) * plane.normal;
+        image.x_ij = x_image - source.x_i;
+        image.squared_distance = image.x_ij.squaredNorm();
+        if (image.squared_distance >= squared_support_) return;
+        image.weight *= within_cuts(plane, source.x_j - (2 * source.height[p]) * plane.normal);
+        if (image.weight <= 0) return;
+        const auto step = static_cast<std::size_t>(image.order++);
+        image.path[step] = &plane;
+        image.height[step] = s;
+        used |= 1u << p;
+        Image<D> shared = image;
+        shared.weight *= share_of(p, x_image, source);
+        if (shared.weight > 0) visit(static_cast<const Image<D>&>(shared));
+        for (std::size_t q = 0; q < source.planes.size(); ++q)
+            if (!(used & (1u << q))) extend(image, x_image, source, used, q, visit);
+    }
+
+    /// Share that plane p has in the space around x: 1 where x lies deeper behind p than behind all others, 0 where less deep.
+    double share_of(std::size_t p, const Vec<D>& x, const Source& source) const
+    {
+        const auto depth = [&](std::size_t q) {
+            return (source.planes[q].point - x).dot(source.planes[q].normal);
+        };
+        double share = 1;
+        for (std::size_t q = 0; q < source.planes.size(); ++q)
+            if (q != p && source.height[q] > 0)
+                share *= std::clamp(0.5 + (depth(p) - depth(q)) / (2 * blend_), 0.0, 1.0);
+        return share;
+    }
+
+    double within_cuts(const MirrorPlane<D>& plane, const Vec<D>& x) const
+    {
+        double weight = 1;
+        for (std::size_t c = 0; c < plane.cut_count; ++c)
+            weight *= std::clamp(1 - (plane.cuts[c].normal.dot(x) - plane.cuts[c].offset) / fade_, 0.0, 1.0);
+        return weight;
+    }
+
+    double squared_support_, blend_, fade_, least_height_;
+};
+
+/// The image's state: that of its source, mirrored in one plane after the other (s = height over the plane, R = I - 2 n n):
+///
+///     v' = v - 2 ((v - v_w).n) n  (slip),   2 v_w - v  (no slip)         grad v' = R grad v R,   - grad v R
+///     p' = p + rho (g - a_w).(x' - x),   rho' = rho + (p' - p)/c^2       grad rho' = R grad rho + 2 rho ((g - a_w).n)/c^2 n
+///
+/// \param state in: of the source; out: of the image.  \param sound_speed c of the source [m/s]
+template<int D>
+void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_speed, const WallSettings<D>& settings)
+{
+    for (int k = 0; k < image.order; ++k) {
+        const MirrorPlane<D>& plane = *image.path[static_cast<std::size_t>(k)];
+        const Vec<D>& n = plane.normal;
+        const double slope = state.density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
+        state.density -= 2 * image.height[static_cast<std::size_t>(k)] * slope;
+        state.density_gradient += (2 * (slope - state.density_gradient.dot(n))) * n;
+        const Vec<D> along = state.velocity_gradient * n;
+        Mat<D> gradient = state.velocity_gradient - (2 * along) * n.transpose(); // grad v R
+        if (settings.no_slip) {
+            state.velocity = 2 * plane.velocity - state.velocity;
+            state.velocity_gradient = -gradient;
+        } else {
+            state.velocity -= (2 * (state.velocity - plane.velocity).dot(n)) * n;
+            state.velocity_gradient = gradient - (2 * n) * (n.transpose() * gradient).eval();
+        }
+    }
+}
+
+/// mirror_state for velocity and density alone.
+template<int D>
+void mirror_values(Vec<D>& velocity, double& density, const Image<D>& image, double sound_speed,
+                   const WallSettings<D>& settings)
+{
+    for (int k = 0; k < image.order; ++k) {
+        const MirrorPlane<D>& plane = *image.path[static_cast<std::size_t>(k)];
+        const Vec<D>& n = plane.normal;
+        const double slope = density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
+        density -= 2 * image.height[static_cast<std::size_t>(k)] * slope;
+        if (settings.no_slip)
+            velocity = 2 * plane.velocity - velocity;
+        else
+            velocity -= (2 * (velocity - plane.velocity).dot(n)) * n;
+    }
+}
+
+} // namespace sph

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/numerics/vector.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace sph {
+
+/// What is fixed for all images.
+template<int D> struct WallSettings {
+    double spacing = 0;                  ///< particle spacing dx [m]
+    double support = 0;                  ///< kernel support 2h [m]
+    Vec<D> gravity = Vec<D>::Zero();     ///< g [m/s^2]
+    double sheet_angle = 40;             ///< touching facets within this angle give one plane [degrees]
+    double image_distance = 0.2;         ///< a particle's own image stays this far away [dx]
+    bool no_slip = false;                ///< images with the velocity 2 v_w - v instead of the mirrored one
+};
+
+/// A half-space that cuts images off: the fluid of another face of the same body begins at normal.x = offset.
+template<int D> struct Cut {
+    Vec<D> normal = Vec<D>::Zero(); ///< into that fluid
+    double offset = 0;              ///< [m]
+};
+
+/// The wall as one particle sees it: the plane through the nearest point of a sheet of facets.
+template<int D> struct MirrorPlane {
+    static constexpr std::size_t max_cuts = 2 * D;
+
+    Vec<D> point = Vec<D>::Zero();        ///< x_w [m]
+    Vec<D> normal = Vec<D>::Zero();       ///< n, into the fluid
+    Vec<D> velocity = Vec<D>::Zero();     ///< v_w [m/s]
+    Vec<D> acceleration = Vec<D>::Zero(); ///< a_w [m/s^2]
+    double distance = 0;                  ///< (x_i - x_w).n [m], negative inside the wall
+    int facet = -1;                       ///< that x_w lies on
+    std::array<double, D> weight{};       ///< shape functions of the facet's corners at x_w
+    std::array<Cut<D>, max_cuts> cuts;
+    std::size_t cut_count = 0;
+};
+
+/// An owned particle near walls, and its planes: planes[plane_begin .. plane_end) of the list, nearest first.
+struct WallContact {
+    std::size_t row = 0; ///< k: the particle is particles.owned[k]
+    int particle = 0;    ///< local index
+    int plane_begin = 0, plane_end = 0;
+};
+
+/// All contacts of one instant, ascending in `row`.
+template<int D> struct WallContacts {
+    std::vector<WallContact> contacts;
+    std::vector<MirrorPlane<D>> planes;
+};
+
+} // namespace sph
