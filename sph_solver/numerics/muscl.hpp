@@ -13,44 +13,50 @@ namespace sph {
 template<int D, class T> struct PairView {
     std::array<T, D> x;                ///< x_j - x_i [m]
     T inverse_distance;                ///< 1 / |x_ij| [1/m]
-    T q_i, q_j;                        ///< rho / rho0
-    T q_slope_i, q_slope_j;            ///< grad q . x_ij
     std::array<T, D> velocity_jump;    ///< v_j - v_i [m/s]
     std::array<T, D> mean_velocity;    ///< (v_i + v_j) / 2 [m/s]
     std::array<T, D> velocity_slope_i; ///< grad v_i x_ij [m/s]
     std::array<T, D> velocity_slope_j; ///< grad v_j x_ij [m/s]
 };
 
+/// The density of the same pair.
+template<class T> struct RatioView {
+    T i, j;             ///< q = rho / rho0
+    T slope_i, slope_j; ///< grad q . x_ij
+};
+
 /// Half the limited jump, phi(d, 2 s - d) / 2 = k s, of a field with jump d and predicted slope s along the pair.
-template<class T, class Limiter> T half_limited_jump(T jump, T slope, Limiter limiter)
+template<class T, class Limiter> [[gnu::always_inline]] inline T half_limited_jump(T jump, T slope, Limiter limiter)
 {
     const T upstream = 2.0 * slope - jump;
     return limiter.factor(jump * upstream, jump * jump + upstream * upstream) * slope;
 }
 
-/// Riemann problem at the face, on (rho, v_n) reconstructed from both sides. Velocities are relative to the face, whose own speed
+/// Both sides of the face, reconstructed in (rho, v_n). Velocities are relative to the face, whose own speed
 /// is u_b = (v_i + v_j).n / 2, so a common velocity of the pair has no influence at all, not even by rounding.
 ///
-/// \param inverse_c0 1 / c0 [s/m]. \return q* = rho_e / rho0 and (u_e - u_b) / c0.
+/// \param inverse_c0 1 / c0 [s/m]. \return densities over rho0, velocities over c0.
 template<int D, class T, class Limiter>
-StarState<T> solve_face(const PairView<D, T>& pair, double inverse_c0, Limiter limiter)
+[[gnu::always_inline]] inline FaceStates<T> reconstruct_face(const PairView<D, T>& pair, const RatioView<T>& q,
+                                                             double inverse_c0, Limiter limiter)
 {
-    const T q_jump = pair.q_j - pair.q_i;
-    const T q_l = pair.q_i + half_limited_jump(q_jump, pair.q_slope_i, limiter);
-    const T q_r = pair.q_j - half_limited_jump(q_jump, pair.q_slope_j, limiter);
+    const T q_jump = q.j - q.i;
+    const T q_l = q.i + half_limited_jump(q_jump, q.slope_i, limiter);
+    const T q_r = q.j - half_limited_jump(q_jump, q.slope_j, limiter);
 
     const T u_jump = dot(pair.velocity_jump, pair.x); // |x_ij| times the normal jump: the limiter scales with it
     const T u_l = half_limited_jump(u_jump, dot(pair.velocity_slope_i, pair.x), limiter) - 0.5 * u_jump;
     const T u_r = 0.5 * u_jump - half_limited_jump(u_jump, dot(pair.velocity_slope_j, pair.x), limiter);
     const T scale = pair.inverse_distance * inverse_c0;
-    return solve_riemann_scaled(q_l, scale * u_l, q_r, scale * u_r);
+    return {q_l, scale * u_l, q_r, scale * u_r};
 }
 
 /// Velocity v_e carried across the face [m/s]: the Riemann velocity along n, the tangential velocity of the side from which
 /// the mass comes. The tangential part is limited as a vector, which in 2D is the scalar limiter and in 3D needs no frame.
 ///
 /// \param u u_e - u_b [m/s].
-template<int D, class T, class Limiter> std::array<T, D> face_velocity(const PairView<D, T>& pair, T u, Limiter limiter)
+template<int D, class T, class Limiter>
+[[gnu::always_inline]] inline std::array<T, D> face_velocity(const PairView<D, T>& pair, T u, Limiter limiter)
 {
     const T inverse_square = pair.inverse_distance * pair.inverse_distance;
     std::array<T, D> slope, jump, upstream;

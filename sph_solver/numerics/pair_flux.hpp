@@ -43,12 +43,10 @@ PairFlux<D> pair_flux(const PrimitiveState<D>& left, const PrimitiveState<D>& ri
         pair.velocity_slope_j[a] = slope_right[a];
     }
     pair.inverse_distance = 1.0 / square_root(dot(pair.x, pair.x));
-    pair.q_i = left.density / eos.rho0;
-    pair.q_j = right.density / eos.rho0;
-    pair.q_slope_i = left.density_gradient.dot(x_ij) / eos.rho0;
-    pair.q_slope_j = right.density_gradient.dot(x_ij) / eos.rho0;
+    const RatioView<double> q{left.density / eos.rho0, right.density / eos.rho0,
+                              left.density_gradient.dot(x_ij) / eos.rho0, right.density_gradient.dot(x_ij) / eos.rho0};
 
-    const StarState<double> star = solve_face(pair, 1.0 / eos.c0, limiter);
+    const StarState<double> star = solve_riemann_scaled(reconstruct_face(pair, q, 1.0 / eos.c0, limiter));
     PairFlux<D> flux;
     flux.pressure = eos.pressure_at_ratio(star.q);
     if (wall) return flux;

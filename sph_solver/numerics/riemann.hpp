@@ -25,10 +25,15 @@ template<class T> struct StarState {
     T q, u;
 };
 
+/// The two sides of a face without units: densities over rho0, velocities along the normal over c0.
+template<class T> struct FaceStates {
+    T q_l, u_l, q_r, u_r;
+};
+
 /// Cube without pow.
 template<class T> T cube(T x) { return x * x * x; }
 
-/// Exact Godunov solution of the Riemann problem for Tait's fluid, branch-free; densities over rho0, velocities over c0.
+/// Exact Godunov solution of the Riemann problem for Tait's fluid, branch-free.
 ///
 /// The wave towards side K changes the velocity by f_K(q), with u* = u_L - f_L(q*) = u_R + f_R(q*):
 ///
@@ -45,9 +50,10 @@ template<class T> T cube(T x) { return x * x * x; }
 /// q = 1 + (C - 1)/3 take cube root and shocks together. C is kept above `smallest`, short of vacuum.
 ///
 /// Swapping the sides and the signs of both velocities gives the same q and exactly the opposite u.
-template<class T> StarState<T> solve_riemann_scaled(T q_l, T u_l, T q_r, T u_r)
+template<class T> [[gnu::always_inline]] inline StarState<T> solve_riemann_scaled(const FaceStates<T>& face)
 {
     constexpr double smallest = 1e-3;
+    const auto& [q_l, u_l, q_r, u_r] = face;
     const T cube_l = cube(q_l), cube_r = cube(q_r);
     const T c = maximum(0.5 * (cube_l + cube_r) + 1.5 * (u_l - u_r), smallest + T{});
     T q = c * (1.0 / 3.0) + (2.0 / 3.0);
@@ -69,8 +75,8 @@ template<class T> StarState<T> solve_riemann_scaled(T q_l, T u_l, T q_r, T u_r)
 inline RiemannSolution solve_riemann(const RiemannState& left, const RiemannState& right, const Tait& eos)
 {
     const double mean = 0.5 * (left.u + right.u);
-    const auto star = solve_riemann_scaled(left.rho / eos.rho0, (left.u - mean) / eos.c0, right.rho / eos.rho0,
-                                           (right.u - mean) / eos.c0);
+    const auto star = solve_riemann_scaled(FaceStates<double>{left.rho / eos.rho0, (left.u - mean) / eos.c0,
+                                                              right.rho / eos.rho0, (right.u - mean) / eos.c0});
     return {eos.rho0 * star.q, mean + eos.c0 * star.u, eos.pressure_at_ratio(star.q)};
 }
 

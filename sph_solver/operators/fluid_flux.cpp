@@ -6,61 +6,10 @@
 namespace sph {
 namespace {
 
-/// Rows of particle i and columns of four neighbours, turned into what the face formulas read.
-template<int D>
-PairView<D, Pack> view_pairs(const double* state, const double* slope, const std::array<Pack, 8>& neighbour,
-                             const std::array<Pack, PairRecords<D>::slope_size>& neighbour_slope)
-{
-    PairView<D, Pack> pair;
-    for (std::size_t a = 0; a < D; ++a) {
-        pair.x[a] = neighbour[a] - state[a];
-        pair.velocity_jump[a] = neighbour[D + a] - state[D + a];
-        pair.mean_velocity[a] = 0.5 * (neighbour[D + a] + state[D + a]);
-    }
-    pair.q_i = Pack{} + state[2 * D];
-    pair.q_j = neighbour[2 * D];
-    pair.q_slope_i = slope[0] * pair.x[0];
-    pair.q_slope_j = neighbour_slope[0] * pair.x[0];
-    for (std::size_t b = 1; b < D; ++b) {
-        pair.q_slope_i += slope[b] * pair.x[b];
-        pair.q_slope_j += neighbour_slope[b] * pair.x[b];
-    }
-    for (std::size_t a = 0; a < D; ++a) {
-        const std::size_t row = D + a * D;
-        pair.velocity_slope_i[a] = slope[row] * pair.x[0];
-        pair.velocity_slope_j[a] = neighbour_slope[row] * pair.x[0];
-        for (std::size_t b = 1; b < D; ++b) {
-            pair.velocity_slope_i[a] += slope[row + b] * pair.x[b];
-            pair.velocity_slope_j[a] += neighbour_slope[row + b] * pair.x[b];
-        }
-    }
-    return pair;
-}
-
 /// The same sums as FluxSums, four neighbours side by side.
-template<int D> struct PackedFlux {
+template<int D> struct FluxPacks {
     Pack mass{};
     std::array<Pack, D> by_mass{}, by_pressure{};
-
-    /// \param volumes w_i w_j
-    template<class AnyLimiter>
-    void add(PairView<D, Pack>& pair, Pack volumes, const FluidModel<D>& model, AnyLimiter limiter)
-    {
-        const Tait eos = model.eos;
-        const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);
-        pair.inverse_distance = 1.0 / r;
-        const Pack area = volumes * (2.0 * model.kernel.slope(r));
-        const StarState<Pack> star = solve_face(pair, 1.0 / eos.c0, limiter);
-        const Pack u = eos.c0 * star.u;
-        const auto velocity = face_velocity(pair, u, limiter);
-        const Pack mass_flux = area * (eos.rho0 * star.q * u);
-        const Pack pressure = area * eos.pressure_at_ratio(star.q) * pair.inverse_distance;
-        mass -= mass_flux;
-        for (std::size_t a = 0; a < D; ++a) {
-            by_mass[a] -= mass_flux * velocity[a];
-            by_pressure[a] -= pressure * pair.x[a];
-        }
-    }
 
     FluxSums<D> total() const
     {
@@ -74,24 +23,127 @@ template<int D> struct PackedFlux {
     }
 };
 
+/// Sum of a[k] x[k]: a gradient's prediction along the pairs. `Row` is a row of numbers or of packs.
+template<int D, class Row> [[gnu::always_inline]] inline Pack along(const Row* gradient, const std::array<Pack, D>& x)
+{
+    Pack sum = gradient[0] * x[0];
+    for (std::size_t b = 1; b < D; ++b) sum += gradient[b] * x[b];
+    return sum;
+}
+
+/// The faces of a batch of particles towards their neighbours, four in a pack. The work is split in three loops over the packs:
+/// each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs where the loops are
+/// short in code and long in turns.
+template<int D> class FaceBatch {
+public:
+    FaceBatch(const PairRecords<D>& records, const NeighbourList& neighbours, const FluidModel<D>& model)
+        : records_(records), model_(model)
+    {
+        std::size_t longest = 0;
+        for (std::size_t k = 0; k < neighbours.rows(); ++k) longest = std::max(longest, neighbours.of(k).size());
+        const std::size_t capacity = filled + longest / pack_size + 1;
+        pairs_.resize(capacity);
+        area_.resize(capacity);
+        faces_.resize(capacity);
+        stars_.resize(capacity);
+    }
+
+    /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
+    template<class Neighbours, class AnyLimiter>
+    void reconstruct(int i, const Neighbours& neighbours, FluxSums<D>& sums, AnyLimiter limiter)
+    {
+        const double* state = records_.state(i);
+        const double* slope = records_.slope(i);
+        for_each_pack(neighbours, i, [&](const int* indices) { reconstruct_pack(state, slope, indices, limiter); });
+        rows_[row_count_++] = {&sums, size_};
+    }
+
+    bool full() const { return size_ >= filled || row_count_ == rows_.size(); }
+
+    /// 2. Solves the Riemann problems. 3. Sums what crosses the faces of each particle. The batch is empty then.
+    template<class AnyLimiter> void solve(AnyLimiter limiter)
+    {
+        for (std::size_t n = 0; n < size_; ++n) stars_[n] = solve_riemann_scaled(faces_[n]);
+        std::size_t n = 0;
+        for (std::size_t row = 0; row < row_count_; ++row) {
+            FluxPacks<D> packs;
+            for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter);
+            *rows_[row].sums = packs.total();
+        }
+        size_ = 0;
+        row_count_ = 0;
+    }
+
+private:
+    static constexpr std::size_t filled = 40; // packs: the batch stays within the first-level cache
+
+    struct Row {
+        FluxSums<D>* sums = nullptr;
+        std::size_t end = 0; // one past its last pack
+    };
+
+    template<class AnyLimiter>
+    [[gnu::always_inline]] inline void reconstruct_pack(const double* state_i, const double* slope_i,
+                                                        const int* indices, AnyLimiter limiter)
+    {
+        const auto state = load_columns<8>([this](int j) { return records_.state(j); }, indices);
+        const auto slope =
+            load_columns<PairRecords<D>::slope_size>([this](int j) { return records_.slope(j); }, indices);
+        PairView<D, Pack> pair;
+        for (std::size_t a = 0; a < D; ++a) {
+            pair.x[a] = state[a] - state_i[a];
+            pair.velocity_jump[a] = state[D + a] - state_i[D + a];
+            pair.mean_velocity[a] = 0.5 * (state[D + a] + state_i[D + a]);
+        }
+        for (std::size_t a = 0; a < D; ++a) {
+            pair.velocity_slope_i[a] = along<D>(slope_i + D + a * D, pair.x);
+            pair.velocity_slope_j[a] = along<D>(slope.data() + D + a * D, pair.x);
+        }
+        const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);
+        pair.inverse_distance = 1.0 / r;
+        area_[size_] = (state_i[2 * D + 1] * state[2 * D + 1]) * (2.0 * model_.kernel.slope(r));
+        const RatioView<Pack> q{Pack{} + state_i[2 * D], state[2 * D], along<D>(slope_i, pair.x),
+                                along<D>(slope.data(), pair.x)};
+        faces_[size_] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
+        pairs_[size_++] = pair;
+    }
+
+    template<class AnyLimiter>
+    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& sums, std::size_t n, AnyLimiter limiter) const
+    {
+        const Tait& eos = model_.eos;
+        const PairView<D, Pack>& pair = pairs_[n];
+        const Pack u = eos.c0 * stars_[n].u;
+        const auto velocity = face_velocity(pair, u, limiter);
+        const Pack mass_flux = area_[n] * (eos.rho0 * stars_[n].q * u);
+        const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * pair.inverse_distance;
+        sums.mass -= mass_flux;
+        for (std::size_t a = 0; a < D; ++a) {
+            sums.by_mass[a] -= mass_flux * velocity[a];
+            sums.by_pressure[a] -= pressure * pair.x[a];
+        }
+    }
+
+    const PairRecords<D>& records_;
+    const FluidModel<D> model_;
+    std::size_t size_ = 0, row_count_ = 0;
+    std::array<Row, 32> rows_;
+    std::vector<PairView<D, Pack>> pairs_;
+    std::vector<Pack> area_;
+    std::vector<FaceStates<Pack>> faces_;
+    std::vector<StarState<Pack>> stars_;
+};
+
 template<int D, class AnyLimiter>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,
                 const std::vector<int>& owned, const FluidModel<D>& model, AnyLimiter limiter)
 {
-    const auto state_of = [&](int j) { return records.state(j); };
-    const auto slope_of = [&](int j) { return records.slope(j); };
+    FaceBatch<D> batch(records, neighbours, model);
     for (std::size_t k = 0; k < owned.size(); ++k) {
-        const double* state = records.state(owned[k]);
-        const double* slope = records.slope(owned[k]);
-        PackedFlux<D> packed;
-        for_each_pack(neighbours.of(k), owned[k], [&](const int* indices) {
-            const auto neighbour = load_columns<8>(state_of, indices);
-            const auto neighbour_slope = load_columns<PairRecords<D>::slope_size>(slope_of, indices);
-            auto pair = view_pairs<D>(state, slope, neighbour, neighbour_slope);
-            packed.add(pair, PairRecords<D>::volume(state) * neighbour[2 * D + 1], model, limiter);
-        });
-        sums[k] = packed.total();
+        batch.reconstruct(owned[k], neighbours.of(k), sums[k], limiter);
+        if (batch.full()) batch.solve(limiter);
     }
+    batch.solve(limiter);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/operators/fluid_gradients.hpp"
 
+#include <Eigen/LU>
+
 namespace sph {
 namespace {
 
@@ -11,7 +13,8 @@ template<int D> struct PackedSums {
     std::array<Pack, D * D> velocity{};
 
     /// Adds four neighbours, given as columns (x, v, q, w), to the sums of particle i.
-    void add(const std::array<Pack, 8>& neighbour, const double* state, const CubicSpline<D>& kernel)
+    [[gnu::always_inline]] inline void add(const std::array<Pack, 8>& neighbour, const double* state,
+                                           const CubicSpline<D>& kernel)
     {
         std::array<Pack, D> x, weighted;
         for (std::size_t a = 0; a < D; ++a) x[a] = neighbour[a] - state[a];

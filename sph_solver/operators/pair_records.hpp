@@ -43,7 +43,8 @@ private:
 };
 
 /// Rows of four particles, loaded and turned into columns: result[c] holds component c of the particles index[0..3].
-template<std::size_t Size, class Row> std::array<Pack, Size> load_columns(Row row, const int* index)
+template<std::size_t Size, class Row>
+[[gnu::always_inline]] inline std::array<Pack, Size> load_columns(Row row, const int* index)
 {
     static_assert(Size % 4 == 0);
     const double* rows[4] = {row(index[0]), row(index[1]), row(index[2]), row(index[3])};
@@ -58,7 +59,8 @@ template<std::size_t Size, class Row> std::array<Pack, Size> load_columns(Row ro
 
 /// Calls visit(const int* four_indices) over a row of neighbours. The last pack is filled up with i itself: its distance and
 /// its jumps are exactly zero, and so is all that it adds.
-template<class Row, class Visit> void for_each_pack(const Row& neighbours, int i, Visit visit)
+template<class Row, class Visit>
+[[gnu::always_inline]] inline void for_each_pack(const Row& neighbours, int i, Visit visit)
 {
     for (std::size_t n = 0; n < neighbours.size(); n += pack_size) {
         const int* indices = neighbours.data() + n;
