@@ -4,27 +4,6 @@
 #include "coupler_lib/foundation/check.hpp"
 
 namespace sph {
-namespace {
-
-std::vector<std::array<int, 2>> simplices(const WallShape& shape, std::integral_constant<int, 2>)
-{
-    std::vector<std::array<int, 2>> segments;
-    for (const auto& facet : shape.facets) segments.push_back({facet[0], facet[1]});
-    return segments;
-}
-
-std::vector<std::array<int, 3>> simplices(const WallShape& shape, std::integral_constant<int, 3>)
-{
-    std::vector<std::array<int, 3>> triangles;
-    for (const auto& facet : shape.facets) {
-        triangles.push_back({facet[0], facet[1], facet[2]});
-        if (facet[3] >= 0) triangles.push_back({facet[0], facet[2], facet[3]});
-    }
-    return triangles;
-}
-
-}  // namespace
-
 template <int D>
 Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
 {
@@ -35,11 +14,7 @@ Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
     Walls<D> walls(settings);
     for (const WallConfig& wall : config.walls) {
         const WallShape shape = wall_shape(wall, D);
-        std::vector<Vec<D>> vertices;
-        for (std::size_t v = 0; v < shape.vertices.size(); v += D) {
-            vertices.push_back(Eigen::Map<const Vec<D>>(shape.vertices.data() + v));
-        }
-        walls.add_fixed(shape.name, vertices, simplices(shape, std::integral_constant<int, D>{}));
+        walls.add_fixed(shape.name, shape.vertices, shape.facets);
     }
     return walls;
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "coupler_lib/foundation/communicator.hpp"
 #include "sph_solver/config/fluid_config.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/walls/walls.hpp"
 
 namespace sph {
 
-/// The walls of the configuration, at rest; each wall of the file is one body. Quadrilaterals are cut in two triangles.
+/// The walls of the configuration, at rest; each wall of the file is one body.
 template <int D>
 Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model);
 
