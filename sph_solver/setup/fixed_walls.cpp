@@ -4,6 +4,7 @@
 #include "coupler_lib/foundation/check.hpp"
 
 namespace sph {
+
 template <int D>
 Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
 {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/state/outflow.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sph {
+namespace {
+
+TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
+{
+    Particles<2> particles;
+    particles.resize(3);
+    particles.own_all();
+    particles.id = {10, 11, 12};
+    particles.position = {{0.5, 0.0}, {1.5, 2.0}, {0.9, 0.0}};
+    particles.volume = {1.0, 1.0, 1.0};
+    particles.mass = {1000.0, 1100.0, 1000.0};
+    particles.momentum = {{0.0, 0.0}, {2200.0, -1100.0}, {0.0, 0.0}};
+    const Tait eos{1000.0, 10.0};
+    Outflow<2> outflow({{Vec<2>(1.0, 0.0), Vec<2>(2.0, 0.0)}}, eos, Vec<2>(0.0, -10.0));
+    outflow.remove(particles);
+    outflow.remove(particles);
+    EXPECT_EQ(particles.id, (std::vector<std::int64_t>{10, 12}));
+    EXPECT_EQ(particles.owned, (std::vector<int>{0, 1}));
+    const OutflowTotals& out = outflow.totals();
+    EXPECT_EQ(out.particles, 1);
+    EXPECT_DOUBLE_EQ(out.mass.value(), 1100.0);
+    EXPECT_DOUBLE_EQ(out.momentum[0].value(), 2200.0);
+    EXPECT_DOUBLE_EQ(out.momentum[1].value(), -1100.0);
+    EXPECT_DOUBLE_EQ(out.kinetic.value(), 0.5 * 1100.0 * 5.0);
+    EXPECT_DOUBLE_EQ(out.potential.value(), 1100.0 * 10.0 * 2.0);
+    EXPECT_DOUBLE_EQ(out.internal.value(), 1100.0 * eos.specific_internal_energy(1100.0));
+}
+
+}  // namespace
+}  // namespace sph
