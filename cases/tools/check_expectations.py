@@ -24,21 +24,26 @@ def line(finding: Finding) -> str:
     return f"{text}   ({finding.reason})" if finding.reason else text
 
 
+def judge(run: Path, case: Path, json_file: Path | None = None) -> int:
+    """Prints the table; 0 when every judged figure is in its band, 1 when one misses, 2 when nothing is expected."""
+    findings = check(RunFolder(run), case)
+    if not findings:
+        print(f"{case}: no expect.toml, or nothing in it", file=sys.stderr)
+        return 2
+    print("\n".join(line(finding) for finding in findings))
+    if json_file:
+        with json_file.open("a", encoding="utf-8") as file:
+            file.writelines(finding.as_json() + "\n" for finding in findings)
+    return 0 if all(finding.passed for finding in findings if finding.judged) else 1
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("run", type=Path)
     parser.add_argument("case", type=Path)
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
-    findings = check(RunFolder(arguments.run), arguments.case)
-    if not findings:
-        print(f"{arguments.case}: no expect.toml, or nothing in it", file=sys.stderr)
-        return 2
-    print("\n".join(line(finding) for finding in findings))
-    if arguments.json:
-        with arguments.json.open("a", encoding="utf-8") as file:
-            file.writelines(finding.as_json() + "\n" for finding in findings)
-    return 0 if all(finding.passed for finding in findings if finding.judged) else 1
+    return judge(arguments.run, arguments.case, arguments.json)
 
 
 if __name__ == "__main__":

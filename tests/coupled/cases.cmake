@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Whole cases through mpirun of both executables, judged by their expect.toml; the same answer on 1, 2 and 3 fluid ranks.
+set(RIVAGE_PROGRAMS "${CMAKE_BINARY_DIR}/bin")
+
+function(rivage_coupled_test name)
+    add_test(NAME coupled_${name} COMMAND ${RIVAGE_PYTHON} ${ARGN})
+    set_tests_properties(coupled_${name} PROPERTIES LABELS coupled PROCESSORS 2 TIMEOUT 900)
+endfunction()
+
+foreach(case piston_column elastic_gate_small)
+    rivage_coupled_test(${case} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/${case} --programs ${RIVAGE_PROGRAMS})
+endforeach()
+rivage_coupled_test(rank_agreement ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
+                    --programs ${RIVAGE_PROGRAMS} --ranks 1+1 2+1 3+1 --end 0.02 --tolerance 1e-9)
+rivage_coupled_test(rank_agreement_tip ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
+                    --programs ${RIVAGE_PROGRAMS} --ranks 1+1 2+1 3+1 --end 0.1 --tip 1e-4)
