@@ -17,7 +17,12 @@ std::uint64_t word_at(const unsigned char* bytes)
     return word;
 }
 
-std::uint64_t mixed(std::uint64_t lane, std::uint64_t word) { return std::rotl((lane ^ word) * factor_a, 29); }
+/// Both halves of the 128-bit product reach the lane, so that every bit of the word reaches every bit of the lane.
+std::uint64_t mixed(std::uint64_t lane, std::uint64_t word)
+{
+    const auto product = static_cast<unsigned __int128>(lane ^ word) * factor_a;
+    return std::rotl(lane, 23) + (static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64));
+}
 
 std::uint64_t finished(std::uint64_t value)
 {

@@ -110,6 +110,7 @@ const FacetBatch& FluidInterface::receive(SolidReport& solid)
         packets.back().take(report);
         if (peer == 0) solid = report;
     }
+    if (my.stop_agreed) my.participant.request_stop();  // now every rank knows
     if (my.take_topology(packets)) merge_topology(my.received, my.batch);
     for (std::size_t peer = 0; peer < packets.size(); ++peer) {
         merge_motion(my.received[peer], packets[peer], my.scratch, my.batch);

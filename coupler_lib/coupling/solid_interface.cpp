@@ -138,6 +138,7 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
     }
     my.begun = true;
     my.window = {first.step, first.time, first.dt, first.has(window_is_last), first.has(window_stops)};
+    if (my.window.stop_requested) my.participant.request_stop();  // now every rank knows
     my.participant.set_clock(first.step, first.time);
     load.force.clear();
     load.pressure.clear();
