@@ -70,7 +70,7 @@ TEST(Roles, AMissingOneEndsAllRanksWithOneVerdict)
 TEST(Bytes, AFluidRankAwayFromTheSurfaceReceivesNoFacet)
 {
     constexpr int steps = 4;
-    const std::size_t empty = sizeof(coupler::SolidReport) + 96; // report and header
+    const std::size_t empty = sizeof(coupler::SolidReport) + sizeof(coupler::PacketHeader);
     for (const int fluid_ranks : all_splits()) {
         coupler::Participant me(settings_for(fluid_ranks));
         if (me.role() == "fluid") {
