@@ -31,7 +31,7 @@ void share_out(const Vec<D>& force, const Image<D>& image, const MirrorPlane<D>*
         const Vec<D> part = ((a - cosine * b) / (1 - cosine * cosine)) * normal(0);
         of(0) += part;
         rest -= part;
-    } else if (image.order == 3) {
+    } else if (D == 3 && image.order == 3 && image.path[0] != image.path[2]) {
         Mat<D> normals;
         for (int k = 0; k < D; ++k) normals.col(k) = normal(k);
         if (std::abs(normals.determinant()) > 0.3) {

@@ -88,6 +88,22 @@ template<int D> bool ContactFinder<D>::is_beyond_end(int at, const Vec<D>& from_
     return false;
 }
 
+/// Is the nearest point a concave joint with a sheet that has its plane already? The wall then keeps its own normal: there is
+/// no edge that the particle could see.
+template<int D> bool ContactFinder<D>::is_at_represented_joint(int at) const
+{
+    const Near& base = near_[static_cast<std::size_t>(at)];
+    const auto& weight = base.closest.weight;
+    if (*std::min_element(weight.begin(), weight.end()) > 0) return false;
+    const auto touching = touching_.of(base.facet);
+    for (const Near& other : near_) {
+        if (!other.represented || !std::binary_search(touching.begin(), touching.end(), other.facet)) continue;
+        const auto closest = base::closest_point(facets_.corners(other.facet), base.closest.point);
+        if (closest.squared_distance <= tolerance_ * tolerance_) return true;
+    }
+    return false;
+}
+
 template<int D> MirrorPlane<D> ContactFinder<D>::plane_at(const Vec<D>& x, int at) const
 {
     const Near& base = near_[static_cast<std::size_t>(at)];
@@ -101,6 +117,10 @@ template<int D> MirrorPlane<D> ContactFinder<D>::plane_at(const Vec<D>& x, int a
     const bool outside = from_wall.dot(face) >= 0 || is_beyond_end(at, from_wall);
     plane.distance = outside ? distance : -distance;
     plane.normal = distance > 1e-6 * spacing_ ? Vec<D>(from_wall / plane.distance) : face;
+    if (is_at_represented_joint(at)) {
+        plane.normal = facets_.normal(plane.facet);
+        plane.distance = from_wall.dot(plane.normal);
+    }
     plane.velocity = facets_.velocity(plane.facet, plane.weight);
     plane.acceleration = facets_.acceleration(plane.facet, plane.weight);
     return plane;

@@ -13,7 +13,7 @@ namespace sph {
 /// Finds the planes in which the neighbours of a particle are mirrored.
 ///
 /// The nearest point of all facets gives the first plane, with n = (x_i - x_w)/|x_i - x_w|, turned outwards where the
-/// particle is inside the wall. Every facet that hangs together with this point through touching facets, and either is
+/// particle is inside the wall; only where x_w is the concave joint with a sheet that has its plane, n is the facet's own. Every facet that hangs together with this point through touching facets, and either is
 /// turned away from n by less than the sheet angle or lies behind the plane (beyond a convex edge), is represented by
 /// the plane. The nearest point of what is left gives the next plane, up to D of them.
 ///
@@ -36,6 +36,7 @@ private:
     int nearest() const;
     Vec<D> face_normal(int at) const;
     bool is_beyond_end(int at, const Vec<D>& from_wall) const;
+    bool is_at_represented_joint(int at) const;
     MirrorPlane<D> plane_at(const Vec<D>& x, int at) const;
     bool is_usable(const MirrorPlane<D>& plane, const std::vector<MirrorPlane<D>>& planes, std::size_t first) const;
     void mark_represented(MirrorPlane<D>& plane, int at);

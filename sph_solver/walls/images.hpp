@@ -17,24 +17,24 @@ template<int D> struct Image {
     Vec<D> x_ij = Vec<D>::Zero();                  ///< from i to the image [m]
     double squared_distance = 0;                   ///< |x_ij|^2 [m^2]
     double weight = 1;                             ///< share of the source's volume that the image has, in (0, 1]
-    int order = 0;                                 ///< number of planes in the path
-    std::array<const MirrorPlane<D>*, D> path{};
-    std::array<double, D> height{};                ///< over path[k] before the k-th mirroring [m], positive
+    int order = 0;                                 ///< number of mirrorings, 1 to 3
+    std::array<const MirrorPlane<D>*, 3> path{};
+    std::array<double, 3> height{};                ///< over path[k] before the k-th mirroring [m], positive
 };
 
 /// Finds all images that a particle sees, without storing them.
 ///
 /// A neighbour j (and i itself) with s = (x_j - x_w).n > 0 has the image x' = x_j - 2 s n; in a corner the images of two
-/// planes are mirrored again in the other one, in 3D the images of three. So that every piece of space behind the walls is
+/// planes are mirrored again in the other one, up to three times. So that every piece of space behind the walls is
 /// filled once, whatever the corner's angle, an image made by plane P last counts only where it is deeper behind P than
-/// behind any other plane in front of which j stands (with a linear change over half a dx, both together always 1), and fades out
-/// within half a dx beyond a cut of P.
+/// behind any other plane in front of which j stands (with a linear change over 0.3 dx, both together always 1), and fades out
+/// within a quarter of dx beyond a cut of P.
 template<int D> class ImageFinder {
 public:
     explicit ImageFinder(const WallSettings<D>& settings) :
         squared_support_(settings.support * settings.support),
-        blend_(0.25 * settings.spacing),
-        fade_(0.5 * settings.spacing),
+        blend_(0.15 * settings.spacing),
+        fade_(0.25 * settings.spacing),
         least_height_(0.5 * settings.image_distance * settings.spacing)
     {}
 
@@ -71,13 +71,12 @@ private:
         }
         Image<D> image;
         image.source = j;
-        for (std::size_t p = 0; p < planes.size(); ++p) extend(image, x_j, source, 0u, p, visit);
+        for (std::size_t p = 0; p < planes.size(); ++p) extend(image, x_j, source, p, visit);
     }
 
     /// Mirrors what stands at x in plane p, reports the image, and goes on to the planes not yet used.
     template<class Visit>
-    void extend(Image<D> image, const Vec<D>& x, const Source& source, unsigned used, std::size_t p,
-                Visit& visit) const
+    void extend(Image<D> image, const Vec<D>& x, const Source& source, std::size_t p, Visit& visit) const
     {
         const MirrorPlane<D>& plane = source.planes[p];
         const double s = image.order == 0 ? source.height[p] : (x - plane.point).dot(plane.normal);
@@ -86,17 +85,25 @@ private:
         image.x_ij = x_image - source.x_i;
         image.squared_distance = image.x_ij.squaredNorm();
         if (image.squared_distance >= squared_support_) return;
-        image.weight *= within_cuts(plane, source.x_j - (2 * source.height[p]) * plane.normal);
+        if (image.order < 2 || image.path[0] != &plane)
+            image.weight *= within_cuts(plane, source.x_j - (2 * source.height[p]) * plane.normal);
         if (image.weight <= 0) return;
         const auto step = static_cast<std::size_t>(image.order++);
         image.path[step] = &plane;
         image.height[step] = s;
-        used |= 1u << p;
         Image<D> shared = image;
         shared.weight *= share_of(p, x_image, source);
         if (shared.weight > 0) visit(static_cast<const Image<D>&>(shared));
+        if (image.order == 3) return;
         for (std::size_t q = 0; q < source.planes.size(); ++q)
-            if (!(used & (1u << q))) extend(image, x_image, source, used, q, visit);
+            if (may_follow(image, &source.planes[q])) extend(image, x_image, source, q, visit);
+    }
+
+    /// Not the same plane twice running; and of the two orders that lead to the image in three planes only one.
+    static bool may_follow(const Image<D>& image, const MirrorPlane<D>* next)
+    {
+        if (next == image.path[static_cast<std::size_t>(image.order - 1)]) return false;
+        return image.order < 2 || next == image.path[0] || image.path[0] < image.path[1];
     }
 
     /// Share that plane p has in the space around x: 1 where x lies deeper behind p than behind all others, 0 where less deep.

@@ -14,7 +14,7 @@ template<int D> struct WallSettings {
     double spacing = 0;                  ///< particle spacing dx [m]
     double support = 0;                  ///< kernel support 2h [m]
     Vec<D> gravity = Vec<D>::Zero();     ///< g [m/s^2]
-    double sheet_angle = 40;             ///< touching facets within this angle give one plane [degrees]
+    double sheet_angle = 10;             ///< touching facets within this angle give one plane [degrees]
     double image_distance = 0.2;         ///< a particle's own image stays this far away [dx]
     bool no_slip = false;                ///< images with the velocity 2 v_w - v instead of the mirrored one
 };
