@@ -18,8 +18,11 @@ from snapshots import View, snapshot_figure  # noqa: E402
 
 WATER_WIDTH, WATER_HEIGHT, GATE_TOP, GATE_THICKNESS = 0.1, 0.14, 0.079, 0.005      # [m]
 TIMES = np.arange(0.04, 0.401, 0.04)                                               # of the experiment's pictures [s]
+DRY_SIDE = WATER_WIDTH + GATE_THICKNESS
 WALLS = [[(0, 0.15), (0, 0), (1.2, 0)],
-         [(WATER_WIDTH, 0.15), (WATER_WIDTH, GATE_TOP), (WATER_WIDTH + GATE_THICKNESS, GATE_TOP), (WATER_WIDTH + GATE_THICKNESS, 0.15)]]
+         [(WATER_WIDTH, 0.15), (WATER_WIDTH, GATE_TOP), (DRY_SIDE, GATE_TOP), (DRY_SIDE, 0.15)]]
+CAPTIONS = ("Water coloured by pressure and the gate's mesh in its deformed place.",
+            "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty of the curves.")
 
 
 def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
@@ -27,7 +30,7 @@ def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
     water, solid = open_fields(run.file("fluid/fields.h5")), open_fields(run.file("solid/fields.h5"))
     particles = len(water.read(0).points) if water and water.steps else 14000
     spacing = np.sqrt(WATER_WIDTH * WATER_HEIGHT / particles)
-    view = View(window=(-0.006, 0.235, -0.006, 0.148), pressure=1000 * 9.81 * WATER_HEIGHT, spacing=spacing, walls=WALLS)
+    view = View((-0.006, 0.235, -0.006, 0.148), pressure=1000 * 9.81 * WATER_HEIGHT, spacing=spacing, walls=WALLS)
     return snapshot_figure(water, solid, times, view, columns)
 
 
@@ -40,8 +43,9 @@ def tip(run: RunFolder):
     figure, axes = plt.subplots(figsize=(11.5, 3.6), layout="constrained")
     for column, name, colour, marker in (("tip.ux", "x", FLUID, "o"), ("tip.uy", "y", SOLID, "s")):
         draw(axes, probes["t"], 1000 * probes[column], color=colour, label=f"computed, {name}")
-        axes.errorbar(measured["t"], measured[f"{name}_tip"], yerr=measured[f"u_{name}"], fmt=marker, markersize=4, capsize=2,
-                      color=REFERENCE, mfc="white" if name == "y" else REFERENCE, linewidth=0.9, label=f"measured, {name}")
+        axes.errorbar(measured["t"], measured[f"{name}_tip"], yerr=measured[f"u_{name}"], label=f"measured, {name}",
+                      fmt=marker, markersize=4, mfc="white" if name == "y" else REFERENCE, color=REFERENCE,
+                      capsize=2, linewidth=0.9)
     axes.set(title="Free end of the gate", xlabel="t [s]", ylabel="displacement [mm]", xlim=(0, None))
     axes.legend(ncols=2)
     return figure
@@ -49,10 +53,7 @@ def tip(run: RunFolder):
 
 def pictures(run: RunFolder) -> list[tuple]:
     """(figure, kind, caption) of each picture for the report."""
-    return [
-        (snapshots(run), "png", "Water coloured by pressure and the gate's mesh in its deformed place, every 0.04 s as in the experiment's photographs."),
-        (tip(run), "svg", "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty of the digitised curves."),
-    ]
+    return [(snapshots(run), "png", CAPTIONS[0]), (tip(run), "svg", CAPTIONS[1])]
 
 
 def main() -> int:

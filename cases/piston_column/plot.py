@@ -21,7 +21,8 @@ def pictures(run) -> list[tuple]:
     t, x = probes["t"], 1000 * probes["piston.uy"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.2), layout="constrained", width_ratios=(2, 1))
     inside = exact["t"] <= t[-1]
-    left.plot(exact["t"][inside], exact["x"][inside], color=REFERENCE, linewidth=2.2, alpha=0.45, label="exact (d'Alembert)")
+    left.plot(exact["t"][inside], exact["x"][inside], color=REFERENCE, linewidth=2.2, alpha=0.45,
+              label="exact (d'Alembert)")
     draw(left, t, x, color=FLUID, label="computed")
     left.set(title="Displacement of the piston", xlabel="t [s]", ylabel="x [mm]")
     left.legend()

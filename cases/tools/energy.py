@@ -3,8 +3,8 @@
 
     drift(t) = (E_f + E_s - W_external)(t) - the same at 0
 
-E_f = kinetic + potential + internal of the particles that are left, plus what the removed ones took along; E_s = kinetic +
-strain + potential; W_external: the work of walls on the fluid, of supports and of loads on the solid. What passes
+E_f = kinetic + potential + internal of the particles that are left, plus what the removed ones took along;
+E_s = kinetic + strain + potential; W_external: the work of walls on the fluid, of supports and of loads on the solid. What passes
 through the interface cancels, but for its mismatch, which therefore is part of the drift.
 """
 from dataclasses import dataclass
@@ -16,7 +16,8 @@ from run_folder import RunFolder, Table
 
 DISSIPATIONS = {"fluid": (("dissipation_riemann", "Riemann solver"), ("dissipation_mass_flux", "mass flux"),
                           ("dissipation_walls", "walls"), ("viscous", "viscous")),
-                "solid": (("numerical_dissipation", "HHT"), ("contact", "contact"), ("friction", "friction"))}
+                "solid": (("numerical_dissipation", "HHT"), ("damping", "damping"),
+                          ("contact", "contact"), ("friction", "friction"))}
 
 
 @dataclass
@@ -73,6 +74,7 @@ def write_energy_total(run: RunFolder) -> EnergySum | None:
         return energies
     columns = ("fluid", "solid", "total", "external_work", "drift")
     header = "t[s]," + ",".join(f"{name}[{energies.unit}]" for name in columns)
-    rows = np.column_stack((energies.t, energies.fluid, energies.solid, energies.total, energies.external, energies.drift))
+    rows = np.column_stack((energies.t, energies.fluid, energies.solid, energies.total, energies.external,
+                            energies.drift))
     np.savetxt(path, rows, delimiter=",", header=header, comments="", fmt="%.12g")
     return energies

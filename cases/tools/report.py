@@ -15,11 +15,14 @@ from energy import write_energy_total
 from expectations import check
 from figure_style import as_image
 from report_figures import energy_figure, interface_figure, probe_figure, wait_figure
-from report_page import missing_note, page, picture, section
+from report_page import columns, missing_note, page, picture, section
 from report_tables import SIDES, expectation_table, run_figures, time_table
 from run_folder import RunFolder
 
 CASES = Path(__file__).resolve().parent.parent
+ENERGY_NOTE = ("What particles that left the domain took along is counted as the fluid's. Dissipations are summed pair by "
+               "pair, never taken as a remainder: where they part from the drift, the balance is not closed.")
+INTERFACE_NOTE = "The work of both sides should be opposite: what differs is made or lost by the exchange."
 
 
 def case_pictures(run: RunFolder, case: Path) -> list[str]:
@@ -32,7 +35,8 @@ def case_pictures(run: RunFolder, case: Path) -> list[str]:
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
         figures = module.pictures(run)
-    return [picture(as_image(figure, kind, caption), caption) for figure, kind, caption in figures if figure is not None]
+    drawn = (entry for entry in figures if entry[0] is not None)
+    return [picture(as_image(figure, kind, caption), caption) for figure, kind, caption in drawn]
 
 
 def image_of(figure, alt: str) -> str:
@@ -43,7 +47,8 @@ def subtitle(case: Path, summary: dict) -> str:
     readme = case / "README.md"
     title = readme.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") if readme.exists() else ""
     versions = {summary.get(side, {}).get("version") for side in SIDES} - {None}
-    return " · ".join(part for part in (title, *(f"Rivage {version}" for version in sorted(map(str, versions)))) if part)
+    names = [f"Rivage {version}" for version in sorted(map(str, versions))]
+    return " · ".join(part for part in (title, *names) if part)
 
 
 def write_report(folder: Path, case: Path) -> Path:
@@ -54,14 +59,11 @@ def write_report(folder: Path, case: Path) -> Path:
     body = [
         run_figures(run, summary, energies),
         *case_pictures(run, case),
-        section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"),
-                                    "What particles that left the domain took along is counted as the fluid's. Dissipations are "
-                                    "summed pair by pair; the balance error is what they do not explain.")),
-        section("Interface", picture(image_of(interface_figure(run), "interface force and work"),
-                                     "The work of both sides should be opposite: what differs is made or lost by the exchange.")),
+        section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"), ENERGY_NOTE)),
+        section("Interface", picture(image_of(interface_figure(run), "interface force and work"), INTERFACE_NOTE)),
         section("Expected and found", expectation_table(check(run, case))),
         section("Time", picture(image_of(wait_figure(run), "waits")),
-                '<div class="columns">' + "".join(f"<div>{time_table(side, summary.get(side, {}))}</div>" for side in SIDES) + "</div>"),
+                columns(*(time_table(side, summary.get(side, {})) for side in SIDES))),
     ]
     body.insert(1, missing_note(run.missing))
     path = folder / "report.html"

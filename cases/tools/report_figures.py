@@ -8,7 +8,7 @@ from run_folder import RunFolder, Table
 
 
 def energy_figure(run: RunFolder, energies: EnergySum | None):
-    """Left: change of the energies of fluid, solid and both. Right: the drift beside the dissipations that explain it."""
+    """Left: change of the energies of fluid, solid and both. Right: the drift beside what was dissipated."""
     if energies is None:
         return None
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.4), layout="constrained")
@@ -33,7 +33,8 @@ def draw_drift(axes, run: RunFolder, energies: EnergySum) -> None:
     if parts:
         every = max(1, len(energies.t) // 700)
         stack = [-values[::every] for _, values in parts]
-        axes.stackplot(energies.t[::every], stack, labels=[label for label, _ in parts], colors=SHADES, alpha=0.55, linewidth=0)
+        labels = [label for label, _ in parts]
+        axes.stackplot(energies.t[::every], stack, labels=labels, colors=SHADES, alpha=0.55, linewidth=0)
     draw(axes, energies.t, energies.drift, color=TOTAL, label=f"drift of the sum: {energies.drift[-1]:.3g}")
     axes.set(title="Drift of the sum, and what was dissipated", xlabel="t [s]", ylabel=f"energy [{energies.unit}]")
     axes.legend(loc="lower left", fontsize=7.5, title=f"at the end [{energies.unit}]", title_fontsize=7.5)
@@ -75,7 +76,8 @@ def interface_figure(run: RunFolder):
     draw_forces(forces, interface)
     unit = interface.unit("work_on_solid") or "J/m"
     draw(works, interface["t"], interface["work_on_solid"], color=SOLID, label="on the solid")
-    draw(works, interface["t"], -interface["work_on_fluid"], color=FLUID, linestyle=(0, (4, 3)), label="− on the fluid")
+    draw(works, interface["t"], -interface["work_on_fluid"], color=FLUID, linestyle=(0, (4, 3)),
+         label="− on the fluid")
     works.set(title="Interface work", xlabel="t [s]", ylabel=f"work [{unit}]")
     works.legend()
     peak = max(np.abs(interface["work_on_fluid"]).max(), np.abs(interface["work_on_solid"]).max(), 1e-300)

@@ -5,7 +5,8 @@ from html import escape
 STYLE = """
 :root { --ink: #1c2126; --soft: #66707a; --line: #e2e6ea; --water: #1f6fb2; }
 * { box-sizing: border-box }
-body { margin: 0; background: #f4f6f8; color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif }
+body { margin: 0; background: #f4f6f8; color: var(--ink);
+  font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif }
 main { max-width: 1120px; margin: 0 auto; padding: 32px 40px 56px; background: #fff }
 header { border-bottom: 2px solid var(--water); padding-bottom: 10px }
 h1 { margin: 0; font-size: 26px; letter-spacing: -.01em }
@@ -63,9 +64,14 @@ def table(header: list[str], rows: list[list[str]], numbers: set[int] = frozense
     head = "".join(f"<th>{escape(name)}</th>" for name in header)
     lines = []
     for row in rows:
-        cells = (f'<td class="number">{cell}</td>' if index in numbers else f"<td>{cell}</td>" for index, cell in enumerate(row))
-        lines.append(f"<tr>{''.join(cells)}</tr>")
+        kinds = (' class="number"' if index in numbers else "" for index in range(len(row)))
+        lines.append("<tr>" + "".join(f"<td{kind}>{cell}</td>" for kind, cell in zip(kinds, row)) + "</tr>")
     return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
+
+
+def columns(*parts: str) -> str:
+    """The parts side by side."""
+    return '<div class="columns">' + "".join(f"<div>{part}</div>" for part in parts) + "</div>" if any(parts) else ""
 
 
 def missing_note(names: list[str]) -> str:

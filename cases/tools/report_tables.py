@@ -55,9 +55,9 @@ def expectation_table(findings: list[Finding]) -> str:
     for finding in findings:
         entry, (low, high) = finding.entry, finding.band
         if "value" in entry:
-            sign = "" if entry.get("kind", "relative") == "absolute" else " of it"
             tolerance = entry.get("tolerance", 0)
-            expected = f"{entry['value']:.6g} ± " + (f"{tolerance:.3g}" if not sign else f"{100 * tolerance:.3g} %{sign}")
+            relative = entry.get("kind", "relative") == "relative"
+            expected = f"{entry['value']:.6g} ± " + (f"{100 * tolerance:.3g} %" if relative else f"{tolerance:.3g}")
         elif math.isinf(low):
             expected = f"at most {high:.4g}"
         else:
@@ -73,10 +73,11 @@ def expectation_table(findings: list[Finding]) -> str:
 def time_rows(tree: dict, whole: float, level: int = 0) -> list[list[str]]:
     rows = []
     for name, entry in sorted(tree.items(), key=lambda item: -item[1].get("seconds", 0.0)):
-        share = entry.get("seconds", 0.0) / whole if whole > 0 else 0.0
+        seconds = entry.get("seconds", 0.0)
+        share = seconds / whole if whole > 0 else 0.0
         bar = f'<span class="bar" style="width:{max(1, round(110 * share))}px"></span>'
         rows.append([f'<span style="padding-left:{16 * level}px">{escape(name.replace("_", " "))}</span>',
-                     f"{entry.get('seconds', 0.0):.2f}", f"{100 * share:.1f} %", f"{short(entry.get('calls', 0))}", bar])
+                     f"{seconds:.2f}", f"{100 * share:.1f} %", short(entry.get("calls", 0)), bar])
         rows += time_rows(entry.get("inside", {}), whole, level + 1)
     return rows
 

@@ -14,7 +14,7 @@ OUTLINE = {3: (0, 1, 2), 4: (0, 1, 2, 3), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4,
 
 @dataclass
 class View:
-    """What a snapshot shows: the window [m], the pressure at the dark end of the colours [Pa], the walls' corners [m]."""
+    """What a snapshot shows: window [m], pressure at the dark end of the colours [Pa], dx [m], walls' corners [m]."""
     window: tuple[float, float, float, float]
     pressure: float
     spacing: float

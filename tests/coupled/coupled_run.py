@@ -20,8 +20,8 @@ def mpirun_line(case: Path, programs: Path, out: Path, ranks: tuple[int, int], s
     line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
     overrides = [word for setting in settings for word in ("--set", setting)]
     for index, (role, program, file) in enumerate(participants(case)):
-        count = ranks[1] if role == "solid" else ranks[0]
-        line += [":"] * (index > 0) + ["-n", str(count), str(programs / program), str(file), "--as", role, "--out", str(out), *overrides]
+        line += [":"] * (index > 0) + ["-n", str(ranks[1] if role == "solid" else ranks[0])]
+        line += [str(programs / program), str(file), "--as", role, "--out", str(out), *overrides]
     return line
 
 
@@ -30,6 +30,7 @@ def run(case: Path, programs: Path, out: Path, ranks=(1, 1), settings=(), timeou
     line = mpirun_line(case, programs, out, ranks, list(settings))
     print(shlex.join(line), flush=True)
     start = time.monotonic()
-    code = subprocess.run(line, env=os.environ | ENVIRONMENT, stdin=subprocess.DEVNULL, timeout=timeout, check=False).returncode
+    code = subprocess.run(line, env=os.environ | ENVIRONMENT, stdin=subprocess.DEVNULL, timeout=timeout,
+                          check=False).returncode
     print(f"exit code {code} after {time.monotonic() - start:.1f} s", flush=True)
     return code

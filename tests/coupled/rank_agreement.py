@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The same case on different numbers of ranks gives the same answer.
 
-usage: rank_agreement.py CASE_FOLDER --programs BIN_FOLDER --ranks 1+1 2+1 3+1 --end SECONDS --tolerance REL [--tip METRES]
+usage: rank_agreement.py CASE --programs BIN --ranks 1+1 2+1 3+1 --end SECONDS [--tolerance REL | --tip METRES]
 
-Compares the last particles (by id), the last solid nodes and the last row of the tables of each run with those of the first one. The
-distance is relative to the largest value of each field. With --tip, only the tip's displacement, in metres.
+Compares the last particles (by id), the last solid nodes and the last row of the tables of each run with those of the
+first one. The distance is relative to the largest value of each field. With --tip, only the tip's displacement [m].
 """
 import argparse
 import sys
@@ -86,7 +86,7 @@ def main() -> int:
             else:
                 (found, where), limit = distance(state, reference), arguments.tolerance
             good = good and found <= limit
-            print(f"{text} against {arguments.ranks[0]}: {found:.3g} at most (in {where}), allowed {limit:.3g}", flush=True)
+            print(f"{text} against {arguments.ranks[0]}: {found:.3g} (in {where}), allowed {limit:.3g}", flush=True)
     return 0 if good else 1
 
 

@@ -15,7 +15,8 @@ END, STEPS, FRAMES = 0.4, 2000, 11
 
 def write_csv(path: Path, columns: dict[str, np.ndarray]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    np.savetxt(path, np.column_stack(list(columns.values())), delimiter=",", header=",".join(columns), comments="", fmt="%.12g")
+    rows = np.column_stack(list(columns.values()))
+    np.savetxt(path, rows, delimiter=",", header=",".join(columns), comments="", fmt="%.12g")
 
 
 def gate_shape(t: float) -> float:
@@ -84,7 +85,8 @@ def write_tables(folder: Path) -> None:
     write_csv(folder / "coupling/interface.csv", {
         "t[s]": t, "dt[s]": dt, "force_sent_x[N/m]": 70 - 60 * t + noise, "force_sent_y[N/m]": 30 * ux / 0.04,
         "force_received_x[N/m]": 70 - 60 * t + noise, "force_received_y[N/m]": 30 * ux / 0.04,
-        "work_on_fluid[J/m]": -strain * 1.0005, "work_on_solid[J/m]": strain, "jump_work[J/m]": zero, "mismatch[-]": 0.0005 + zero,
+        "work_on_fluid[J/m]": -strain * 1.0005, "work_on_solid[J/m]": strain, "jump_work[J/m]": zero,
+        "mismatch[-]": 0.0005 + zero,
         "wait_fluid[s]": t, "wait_solid[s]": 4 * t})
 
 

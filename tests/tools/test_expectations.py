@@ -32,7 +32,8 @@ class Operations(unittest.TestCase):
         cls.folder.cleanup()
 
     def figure(self, **entry) -> float:
-        return measure(RunFolder(self.path), {"file": "solid/probes.csv", "column": "tip.ux", "folder": self.path} | entry)
+        common = {"file": "solid/probes.csv", "column": "tip.ux", "folder": self.path}
+        return measure(RunFolder(self.path), common | entry)
 
     def test_each_operation(self):
         self.assertAlmostEqual(self.figure(operation="max"), 0.25)

@@ -46,7 +46,8 @@ class Report(unittest.TestCase):
         self.assertNotIn("<script", text)
 
     def test_missing_files_are_named(self):
-        for lost in (("coupling/interface.csv", "solid/probes.csv"), ("solid/energy.csv", "fluid/fields.h5", "summary.json")):
+        for lost in (("coupling/interface.csv", "solid/probes.csv"),
+                     ("solid/energy.csv", "fluid/fields.h5", "summary.json")):
             text = self.page(lambda run, lost=lost: [(run / name).unlink() for name in lost])
             for name in lost:
                 self.assertIn(name, text)
