@@ -22,7 +22,7 @@ DRY_SIDE = WATER_WIDTH + GATE_THICKNESS
 WALLS = [[(0, 0.15), (0, 0), (1.2, 0)],
          [(WATER_WIDTH, 0.15), (WATER_WIDTH, GATE_TOP), (DRY_SIDE, GATE_TOP), (DRY_SIDE, 0.15)]]
 CAPTIONS = ("Water coloured by pressure and the gate's mesh in its deformed place.",
-            "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty of the curves.")
+            "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty.")
 
 
 def snapshots(run: RunFolder, times=TIMES, columns: int = 5):

@@ -4,8 +4,8 @@
     drift(t) = (E_f + E_s - W_external)(t) - the same at 0
 
 E_f = kinetic + potential + internal of the particles that are left, plus what the removed ones took along;
-E_s = kinetic + strain + potential; W_external: the work of walls on the fluid, of supports and of loads on the solid. What passes
-through the interface cancels, but for its mismatch, which therefore is part of the drift.
+E_s = kinetic + strain + potential; W_external: the work of walls on the fluid, of supports and of loads on the solid.
+What passes through the interface cancels, but for its mismatch, which therefore is part of the drift.
 """
 from dataclasses import dataclass
 from pathlib import Path

@@ -20,8 +20,8 @@ from report_tables import SIDES, expectation_table, run_figures, time_table
 from run_folder import RunFolder
 
 CASES = Path(__file__).resolve().parent.parent
-ENERGY_NOTE = ("What particles that left the domain took along is counted as the fluid's. Dissipations are summed pair by "
-               "pair, never taken as a remainder: where they part from the drift, the balance is not closed.")
+ENERGY_NOTE = ("What particles that left the domain took along is counted as the fluid's. Dissipations are summed "
+               "pair by pair, never taken as a remainder: where they part from the drift, the balance is not closed.")
 INTERFACE_NOTE = "The work of both sides should be opposite: what differs is made or lost by the exchange."
 
 
