@@ -18,7 +18,7 @@ def pictures(run) -> list[tuple]:
     if probes is None:
         return []
     exact = Table(HERE / "reference" / "piston_column_c50.csv")
-    t, x = probes["t"], 1000 * probes["piston.uy"]
+    t, x = probes["t"], 1000 * probes["piston.u"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.2), layout="constrained", width_ratios=(2, 1))
     inside = exact["t"] <= t[-1]
     left.plot(exact["t"][inside], exact["x"][inside], color=REFERENCE, linewidth=2.2, alpha=0.45,
