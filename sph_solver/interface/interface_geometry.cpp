@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/interface/interface_geometry.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+#include "sph_solver/walls/split_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sph {
+namespace {
+
+template<int D> std::vector<Vec<D>> vectors(const std::vector<double>& numbers)
+{
+    std::vector<Vec<D>> result(numbers.size() / D);
+    for (std::size_t v = 0; v < result.size(); ++v) result[v] = Eigen::Map<const Vec<D>>(&numbers[v * D]);
+    return result;
+}
+
+/// Force on corner c of facet f of the batch.
+template<int D> Vec<D> corner_force(const coupler::FacetLoads& loads, std::size_t f, std::size_t c)
+{
+    Vec<D> force;
+    for (int a = 0; a < D; ++a) force[a] = loads.corner_force[(f * 4 + c) * D + static_cast<std::size_t>(a)].value();
+    return force;
+}
+
+/// Calls visit(facet, corner, node) for every corner that is used.
+template<class Visit> void for_each_corner(const coupler::FacetBatch& batch, Visit&& visit)
+{
+    for (std::size_t f = 0; f < batch.facet_nodes.size(); ++f)
+        for (std::size_t c = 0; c < 4; ++c)
+            if (batch.facet_nodes[f][c] >= 0) visit(f, c, static_cast<std::size_t>(batch.facet_nodes[f][c]));
+}
+
+} // namespace
+
+template<int D> void set_interface_motion(Walls<D>& walls, const coupler::FacetBatch& batch)
+{
+    base::require_input(batch.dimension == D, "the solid's surface has ", batch.dimension, " dimensions, the fluid ", D);
+    const VertexMotion<D> motion{vectors<D>(batch.motion.position), vectors<D>(batch.motion.velocity),
+                                 vectors<D>(batch.motion.acceleration)};
+    walls.set_moving("interface", motion, split_facets<D>(batch.facet_nodes));
+}
+
+template<int D> coupler::RegionBox region_of(const Particles<D>& particles, double margin, double step)
+{
+    base::Box<D> box;
+    for (const int i : particles.owned) box.include(particles.position[static_cast<std::size_t>(i)]);
+    coupler::RegionBox region;
+    if (box.empty()) return region;
+    region.low = region.high = {};
+    for (int d = 0; d < D; ++d) {
+        region.low[static_cast<std::size_t>(d)] = step * std::floor((box.low[d] - margin) / step);
+        region.high[static_cast<std::size_t>(d)] = step * std::ceil((box.high[d] + margin) / step);
+    }
+    return region;
+}
+
+template<int D>
+Resultant resultant(const coupler::FacetLoads& loads, const Walls<D>& walls, const coupler::FacetBatch& batch,
+                    const base::Communicator& comm)
+{
+    std::vector<base::ReproducibleSum> sums(6);
+    const auto first = static_cast<std::size_t>(walls.facets().fixed_vertices());
+    if (!loads.corner_force.empty()) {
+        for_each_corner(batch, [&](std::size_t f, std::size_t c, std::size_t node) {
+            std::array<double, 3> x{}, force{};
+            for (std::size_t a = 0; a < D; ++a) {
+                const base::ReproducibleSum& part = loads.corner_force[(f * 4 + c) * D + a];
+                x[a] = walls.facets().positions()[first + node][static_cast<int>(a)];
+                force[a] = part.value();
+                sums[a] += part;
+            }
+            for (std::size_t a = 0; a < 3; ++a) {
+                const std::size_t b = (a + 1) % 3, d = (a + 2) % 3;
+                sums[3 + a].add(x[b] * force[d] - x[d] * force[b]);
+            }
+        });
+    }
+    const auto all = comm.total(sums);
+    Resultant result;
+    for (std::size_t a = 0; a < 3; ++a) {
+        result.force[a] = all[a].value();
+        result.moment[a] = all[3 + a].value();
+    }
+    return result;
+}
+
+template<int D>
+base::ReproducibleSum jump_work(const coupler::FacetLoads& loads, const Walls<D>& walls,
+                                const coupler::FacetBatch& before, const coupler::FacetBatch& after)
+{
+    base::ReproducibleSum work;
+    if (loads.corner_force.empty()) return work;
+    const auto first = static_cast<std::size_t>(walls.facets().fixed_vertices());
+    for_each_corner(before, [&](std::size_t f, std::size_t c, std::size_t node) {
+        const Vec<D> force = corner_force<D>(loads, f, c);
+        const auto& ids = after.node_ids;
+        const auto found = std::lower_bound(ids.begin(), ids.end(), before.node_ids[node]);
+        if (force.isZero(0) || found == ids.end() || *found != before.node_ids[node]) return;
+        const auto now = static_cast<std::size_t>(found - ids.begin());
+        const Vec<D> position = Eigen::Map<const Vec<D>>(&after.motion.position[now * D]);
+        work.add(force.dot(position - walls.facets().positions()[first + node]));
+    });
+    return work;
+}
+
+template void set_interface_motion<2>(Walls<2>&, const coupler::FacetBatch&);
+template void set_interface_motion<3>(Walls<3>&, const coupler::FacetBatch&);
+template coupler::RegionBox region_of<2>(const Particles<2>&, double, double);
+template coupler::RegionBox region_of<3>(const Particles<3>&, double, double);
+template Resultant resultant<2>(const coupler::FacetLoads&, const Walls<2>&, const coupler::FacetBatch&,
+                                const base::Communicator&);
+template Resultant resultant<3>(const coupler::FacetLoads&, const Walls<3>&, const coupler::FacetBatch&,
+                                const base::Communicator&);
+template base::ReproducibleSum jump_work<2>(const coupler::FacetLoads&, const Walls<2>&, const coupler::FacetBatch&,
+                                            const coupler::FacetBatch&);
+template base::ReproducibleSum jump_work<3>(const coupler::FacetLoads&, const Walls<3>&, const coupler::FacetBatch&,
+                                            const coupler::FacetBatch&);
+
+} // namespace sph
