@@ -6,7 +6,7 @@
 #include "sph_solver/operators/fluid_flux.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
 #include "sph_solver/state/canonical_order.hpp"
-#include "tests/sph_solver/operators/sample_fluid.hpp"
+#include "tests/sph_solver/support/sample_fluid.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -14,11 +14,12 @@ namespace {
 
 using namespace sph;
 
-template <int D>
-struct Evaluation {
+template<int D> struct Evaluation {
     explicit Evaluation(int side)
-        : dx(0.1 / side), model{CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{}, Vec<D>::Zero()},
-          particles(sample::jittered_lattice<D>(side, dx, 0.1, 1000.0)), search(model.kernel.support(), 0.0)
+        : dx(0.1 / side),
+          model{CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{}, Vec<D>::Zero()},
+          particles(sample::jittered_lattice<D>(side, dx, 0.1, 1000.0)),
+          search(model.kernel.support(), 0.0)
     {
         sort_canonically(particles, search.grid());
         sample::Noise noise(3);
@@ -54,26 +55,23 @@ struct Evaluation {
     FluxField<D> fluxes_;
 };
 
-template <int D>
-void report(benchmark::State& state, const Evaluation<D>& evaluation)
+template<int D> void report(benchmark::State& state, const Evaluation<D>& evaluation)
 {
     const auto pairs = static_cast<double>(evaluation.search.list().indices.size());
     state.counters["neighbours"] = pairs / static_cast<double>(evaluation.particles.size());
     state.counters["directed_pairs_per_s"] = benchmark::Counter(pairs, benchmark::Counter::kIsIterationInvariantRate);
-    state.counters["ns_per_pair"] = benchmark::Counter(
-        pairs * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["ns_per_pair"] =
+        benchmark::Counter(pairs * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-template <int D>
-void sph_gradients(benchmark::State& state)
+template<int D> void sph_gradients(benchmark::State& state)
 {
     Evaluation<D> evaluation(static_cast<int>(state.range(0)));
     for (auto _ : state) evaluation.gradients();
     report(state, evaluation);
 }
 
-template <int D>
-void sph_fluxes(benchmark::State& state)
+template<int D> void sph_fluxes(benchmark::State& state)
 {
     Evaluation<D> evaluation(static_cast<int>(state.range(0)));
     evaluation.gradients();
@@ -81,8 +79,7 @@ void sph_fluxes(benchmark::State& state)
     report(state, evaluation);
 }
 
-template <int D>
-void sph_evaluation(benchmark::State& state)
+template<int D> void sph_evaluation(benchmark::State& state)
 {
     Evaluation<D> evaluation(static_cast<int>(state.range(0)));
     for (auto _ : state) {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/time/fluid_step.hpp"
+
+#include "sph_solver/operators/derived_fields.hpp"
+#include "sph_solver/operators/fluid_flux.hpp"
+#include "sph_solver/operators/fluid_gradients.hpp"
+#include "sph_solver/operators/wall_gradients.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sph {
+
+template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
+{
+    refresh_neighbourhood(particles, dt); // who left my region, who sees whom
+    for (auto* observer : observers_) observer->begin_step(particles, parts_.walls, dt);
+    update_.start(particles);
+    for (const Stage& stage : runge_kutta_.stages()) {
+        parts_.walls.move(stage.time * dt); // X + V s + A s^2 / 2
+        evaluate(particles);
+        if (stage.weight != 0.0)
+            for (auto* observer : observers_) observer->observe(particles, parts_.walls, evaluation_, stage.weight, dt);
+        update_.apply(particles, stage, evaluation_.rates, dt);
+        parts_.domain.refresh_state(particles); // position, volume, mass, momentum of the halo copies
+        update_derived(particles, model_.eos);
+    }
+    parts_.walls.move(dt);
+}
+
+template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
+{
+    auto& [rates, sums, fluxes, wall_forces] = evaluation_;
+    const NeighbourList& neighbours = parts_.search.list();
+    rates.reset(particles.size());
+    {
+        const auto scope = parts_.timers.scope("walls: find planes");
+        parts_.walls.find_contacts(particles);
+    }
+    {
+        const auto scope = parts_.timers.scope("pass 1: gradients");
+        records_.load_states(particles, model_.eos);
+        accumulate_fluid_gradients(sums, records_, neighbours, particles.owned, model_);
+    }
+    {
+        const auto scope = parts_.timers.scope("pass 1: walls");
+        accumulate_wall_gradients(sums, parts_.walls, particles, neighbours, model_);
+        finish_gradients(particles, rates, sums);
+    }
+    {
+        const auto scope = parts_.timers.scope("halo: gradients");
+        parts_.domain.refresh_gradients(particles);
+    }
+    {
+        const auto scope = parts_.timers.scope("pass 2: fluxes");
+        records_.load_slopes(particles, model_.eos);
+        add_fluid_fluid_flux(rates, fluxes, records_, neighbours, particles.owned, model_);
+    }
+    {
+        const auto scope = parts_.timers.scope("pass 2: walls");
+        add_fluid_wall_flux(rates, wall_forces, parts_.walls, particles, neighbours, model_);
+    }
+    add_gravity(rates, particles, model_.gravity);
+    return evaluation_;
+}
+
+template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
+{
+    rebuild(particles);
+    parts_.walls.move(0.0);
+    parts_.walls.find_contacts(particles);
+}
+
+template<int D> void FluidStep<D>::refresh_neighbourhood(Particles<D>& particles, double dt)
+{
+    if (!parts_.domain.comm().any(!neighbourhood_holds(particles, dt))) return;
+    rebuild(particles);
+}
+
+/// Will lists and halo still be complete at the end of the step, for a bound on all motion?
+template<int D> bool FluidStep<D>::neighbourhood_holds(const Particles<D>& particles, double dt) const
+{
+    if (parts_.walls.stale()) return false;
+    if (particles.owned.empty()) return true;
+    const double allowed = 0.5 * parts_.search.skin();
+    parts_.walls.move(dt);
+    if (parts_.walls.largest_displacement() > allowed) return false;
+    double fastest = 0.0;
+    for (const int i : particles.owned)
+        fastest = std::max(fastest, particles.velocity[static_cast<std::size_t>(i)].squaredNorm());
+    return parts_.search.largest_displacement(particles) + std::sqrt(fastest) * dt <= allowed;
+}
+
+template<int D> void FluidStep<D>::rebuild(Particles<D>& particles)
+{
+    const auto scope = parts_.timers.scope("neighbourhood");
+    const NeighbourSearch<D>& search = parts_.search;
+    parts_.outflow.remove(particles);
+    parts_.domain.redistribute(particles);
+    update_derived(particles, model_.eos);
+    parts_.walls.move(0.0);
+    parts_.walls.prepare(particles, search.skin());
+    parts_.search.build(particles,
+                        [this](const Vec<D>& x_i, const Vec<D>& x_j) { return parts_.walls.may_interact(x_i, x_j); });
+    parts_.domain.record_work(particles, search.list().offsets);
+    ++rebuilds_;
+}
+
+template class FluidStep<2>;
+template class FluidStep<3>;
+
+} // namespace sph

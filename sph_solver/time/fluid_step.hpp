@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/base/timer.hpp"
+#include "sph_solver/neighbours/neighbour_search.hpp"
+#include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/pair_records.hpp"
+#include "sph_solver/parallel/domain.hpp"
+#include "sph_solver/state/outflow.hpp"
+#include "sph_solver/time/evaluation.hpp"
+#include "sph_solver/time/stage_update.hpp"
+
+#include <vector>
+
+namespace sph {
+
+/// What a step works on; all of it lives in the simulation and outlives the step.
+template<int D> struct FluidParts {
+    Domain<D>& domain;
+    NeighbourSearch<D>& search;
+    Walls<D>& walls;
+    Outflow<D>& outflow;
+    base::TimerTree& timers;
+};
+
+/// One time step of the fluid.
+///
+/// Between steps the conserved fields of owned and halo particles and all that follows from them without a neighbour sum
+/// (velocity, density, pressure, sound speed) are up to date.
+template<int D> class FluidStep {
+public:
+    FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
+        : model_(model), runge_kutta_(runge_kutta), parts_(parts)
+    {}
+
+    /// Adds one who keeps account of every step; not owned.
+    void add_observer(StageObserver<D>& observer) { observers_.push_back(&observer); }
+
+    /// Spreads freshly made particles over the ranks and makes lists and derived fields: the state between steps. Collective.
+    void prepare(Particles<D>& particles);
+
+    /// From t to t + dt. The moving walls must have been given their motion at t (Walls::set_moving). Collective.
+    void advance(Particles<D>& particles, double dt);
+
+    /// Rates of the present state with the walls where they are: pass 1, halo exchange, pass 2. Collective.
+    const Evaluation<D>& evaluate(Particles<D>& particles);
+
+    /// How often lists and halo were made anew.
+    long rebuilds() const { return rebuilds_; }
+
+private:
+    void refresh_neighbourhood(Particles<D>& particles, double dt);
+    bool neighbourhood_holds(const Particles<D>& particles, double dt) const;
+    void rebuild(Particles<D>& particles);
+
+    FluidModel<D> model_;
+    RungeKutta runge_kutta_;
+    FluidParts<D> parts_;
+    std::vector<StageObserver<D>*> observers_;
+    PairRecords<D> records_;
+    Evaluation<D> evaluation_;
+    StageUpdate<D> update_;
+    long rebuilds_ = 0;
+};
+
+} // namespace sph

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/time/stage_update.hpp"
+
+namespace sph {
+
+template<int D> void StageUpdate<D>::start(const Particles<D>& particles)
+{
+    start_.resize(particles.owned.size());
+    change_.assign(particles.owned.size(), Conserved{Vec<D>::Zero(), Vec<D>::Zero(), 0.0, 0.0});
+    for (std::size_t k = 0; k < start_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(particles.owned[k]);
+        start_[k] = {particles.position[i], particles.momentum[i], particles.volume[i], particles.mass[i]};
+    }
+}
+
+template<int D>
+void StageUpdate<D>::apply(Particles<D>& particles, const Stage& stage, const Rates<D>& rates, double dt)
+{
+    const bool last = stage.next == 0.0;
+    const double share = stage.weight * dt, ahead = stage.next * dt;
+    for (std::size_t k = 0; k < start_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(particles.owned[k]);
+        Conserved& change = change_[k];
+        change.position += share * particles.velocity[i];
+        change.momentum += share * rates.momentum[i];
+        change.volume += share * rates.volume[i];
+        change.mass += share * rates.mass[i];
+        const Conserved& y = start_[k];
+        particles.position[i] = y.position + (last ? change.position : ahead * particles.velocity[i]);
+        particles.momentum[i] = y.momentum + (last ? change.momentum : ahead * rates.momentum[i]);
+        particles.volume[i] = y.volume + (last ? change.volume : ahead * rates.volume[i]);
+        particles.mass[i] = y.mass + (last ? change.mass : ahead * rates.mass[i]);
+    }
+}
+
+template class StageUpdate<2>;
+template class StageUpdate<3>;
+
+} // namespace sph

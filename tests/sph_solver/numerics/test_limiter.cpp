@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/numerics/muscl.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sph {
+namespace {
+
+template<class Limiter> double phi(double d, double u) { return 2 * half_limited_jump(d, 0.5 * (d + u), Limiter{}); }
+
+TEST(VanAlbada, IsTheTextbookFormula)
+{
+    for (const double a : {0.3, 1.0, 7.0})
+        for (const double b : {0.01, 1.0, 3.0}) {
+            const double expected = a * b * (a + b) / (a * a + b * b);
+            EXPECT_NEAR(phi<VanAlbada>(a, b), expected, 1e-13 * expected);
+            EXPECT_NEAR(phi<VanAlbada>(-a, -b), -expected, 1e-13 * expected);
+            EXPECT_EQ(phi<VanAlbada>(a, -b), 0.0);
+            EXPECT_EQ(phi<VanAlbada>(-a, b), 0.0);
+        }
+}
+
+TEST(VanAlbada, KeepsEqualSlopesAndIsSymmetric)
+{
+    EXPECT_NEAR(phi<VanAlbada>(0.7, 0.7), 0.7, 1e-15);
+    EXPECT_NEAR(phi<VanAlbada>(0.2, 0.9), phi<VanAlbada>(0.9, 0.2), 1e-15);
+}
+
+TEST(VanAlbada, IsHomogeneousAndFiniteAtZero)
+{
+    EXPECT_EQ(phi<VanAlbada>(0.0, 0.0), 0.0);
+    EXPECT_EQ(phi<VanAlbada>(1e-200, 1e-200), 0.0); // below what its squares can hold: first order
+    EXPECT_DOUBLE_EQ(phi<VanAlbada>(0.2e-9, 0.9e-9), 1e-9 * phi<VanAlbada>(0.2, 0.9));
+}
+
+TEST(VanAlbada, NeverExceedsTheMean)
+{
+    for (double u = -3; u < 3; u += 0.01) EXPECT_LE(phi<VanAlbada>(1.0, u), std::max(0.5 * (1.0 + u), 0.0) + 1e-15);
+}
+
+TEST(Unlimited, TakesTheMeanSlope) { EXPECT_DOUBLE_EQ(phi<Unlimited>(1.0, -4.0), -1.5); }
+
+TEST(FirstOrder, TakesNoSlope) { EXPECT_EQ(phi<FirstOrder>(1.0, 1.0), 0.0); }
+
+} // namespace
+} // namespace sph

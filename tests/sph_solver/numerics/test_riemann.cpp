@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/numerics/riemann.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace sph {
+namespace {
+
+const Tait water{1000.0, 30.0};
+
+/// Velocity change across the wave that leads from state K to rho: the textbook formulas, nothing shared with the solver.
+double wave(double rho, double rho_k)
+{
+    const double p = water.stiffness() * (std::pow(rho / 1000.0, 7) - 1),
+                 p_k = water.stiffness() * (std::pow(rho_k / 1000.0, 7) - 1);
+    if (rho > rho_k) return std::sqrt((p - p_k) * (1 / rho_k - 1 / rho)); // Rankine-Hugoniot
+    return 30.0 * (std::pow(rho / 1000.0, 3) - std::pow(rho_k / 1000.0, 3)) /
+           3; // Riemann invariant, 2 (c - c_k) / (gamma - 1)
+}
+
+/// The exact solution by bisection.
+RiemannSolution bisect(const RiemannState& left, const RiemannState& right)
+{
+    double low = 1.0, high = 5000.0;
+    for (int k = 0; k < 200; ++k) {
+        const double middle = 0.5 * (low + high);
+        (wave(middle, left.rho) + wave(middle, right.rho) + right.u - left.u > 0 ? high : low) = middle;
+    }
+    const double rho = 0.5 * (low + high);
+    return {rho, 0.5 * (left.u + right.u + wave(rho, right.rho) - wave(rho, left.rho)), water.pressure(rho)};
+}
+
+double pressure_error(double largest_jump)
+{
+    double error = 0;
+    for (double jump = -largest_jump; jump <= largest_jump; jump += largest_jump / 32)
+        for (const double rho_l : {985.0, 1000.0, 1015.0})
+            for (const double rho_r : {990.0, 1000.0, 1010.0}) {
+                const RiemannState left{rho_l, 0.5 * jump * 30.0}, right{rho_r, -0.5 * jump * 30.0};
+                const auto exact = bisect(left, right), found = solve_riemann(left, right, water);
+                error = std::max(error, std::abs(found.p - exact.p) / (1000.0 * 900.0));
+                error = std::max(error, std::abs(found.u - exact.u) / 30.0);
+            }
+    return error;
+}
+
+TEST(Riemann, AgreesWithBisection)
+{
+    EXPECT_LT(pressure_error(0.06), 1e-10);
+    EXPECT_LT(pressure_error(0.1), 1e-9);
+    EXPECT_LT(pressure_error(0.5), 1e-5);
+}
+
+TEST(Riemann, EqualStatesStay)
+{
+    for (const double rho : {900.0, 1000.0, 1100.0}) {
+        const auto star = solve_riemann({rho, 2.5}, {rho, 2.5}, water);
+        EXPECT_NEAR(star.rho, rho, 1e-12 * rho);
+        EXPECT_NEAR(star.u, 2.5, 1e-14);
+        EXPECT_NEAR(star.p, water.pressure(rho), 1e-9);
+    }
+}
+
+TEST(Riemann, MirrorGivesTheSamePressureAndTheOppositeVelocity)
+{
+    for (const double jump : {-8.0, -0.3, 0.01, 1.7, 15.0}) {
+        const auto star = solve_riemann({1011.0, jump}, {996.5, 0.123}, water);
+        const auto mirror = solve_riemann({996.5, -0.123}, {1011.0, -jump}, water);
+        EXPECT_EQ(star.rho, mirror.rho);
+        EXPECT_EQ(star.p, mirror.p);
+        EXPECT_EQ(star.u, -mirror.u);
+    }
+}
+
+TEST(Riemann, CommonVelocityOnlyShiftsTheSolution)
+{
+    const auto star = solve_riemann({1011.0, 1.0}, {996.5, -0.5}, water);
+    const auto shifted = solve_riemann({1011.0, 1.0 + 64.0}, {996.5, -0.5 + 64.0}, water); // exact in binary
+    EXPECT_NEAR(shifted.p, star.p, 1e-9);
+    EXPECT_NEAR(shifted.u, star.u + 64.0, 1e-13);
+}
+
+TEST(Riemann, StrongRarefactionsStayAboveVacuum)
+{
+    for (const double u : {5.0, 10.0, 20.0, 100.0, 1000.0}) {
+        const auto star = solve_riemann({1000.0, -u}, {1000.0, u}, water);
+        EXPECT_GT(star.rho, 0.0);
+        EXPECT_GE(star.p, -water.stiffness());
+        EXPECT_EQ(star.u, 0.0);
+    }
+}
+
+TEST(Riemann, StrongShocksStayFinite)
+{
+    for (const double u : {15.0, 30.0, 60.0}) {
+        const auto star = solve_riemann({1000.0, u}, {1000.0, -u}, water);
+        const auto exact = bisect({1000.0, u}, {1000.0, -u});
+        EXPECT_NEAR(star.rho, exact.rho, 0.01 * exact.rho) << "closing speed over c0: " << 2 * u / 30.0;
+    }
+}
+
+TEST(Riemann, PackGivesTheSameBits)
+{
+    const FaceStates<Pack> faces{
+        {1.0, 1.01, 0.99, 1.2}, {0.1, -0.02, 0.3, 0.0}, {1.0, 0.98, 1.01, 0.9}, {-0.1, 0.01, 0.2, 0.0}};
+    const auto packed = solve_riemann_scaled(faces);
+    for (int k = 0; k < pack_size; ++k) {
+        const auto one =
+            solve_riemann_scaled(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
+        EXPECT_EQ(packed.q[k], one.q);
+        EXPECT_EQ(packed.u[k], one.u);
+    }
+}
+
+} // namespace
+} // namespace sph
