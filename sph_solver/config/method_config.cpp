@@ -18,7 +18,7 @@ base::Table<TimeConfig> time_table()
         .key("start", &TimeConfig::start, {.unit = "s", .doc = "time of the initial state"})
         .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of the run, needed when the fluid runs alone", .min = 0})
         .key("cfl", &TimeConfig::cfl,
-             {.unit = "-", .doc = "dt = cfl h / (c + |v|); clean up to 0.7 with rk2", .max = 2.0, .positive = true})
+             {.unit = "-", .doc = "dt is about cfl h / c, on a ladder of steps; clean up to 0.7 with rk2, 0.9 with rk3, 1 with rk4", .max = 2.0, .positive = true})
         .key("fixed_dt", &TimeConfig::fixed_dt,
              {.unit = "s", .doc = "constant time step instead of the CFL rule; 0: the CFL rule", .min = 0});
 }
@@ -52,7 +52,7 @@ base::Table<NumericsConfig> numerics_table()
               .choices = {"van_albada", "none", "first_order"}})
         .key("riemann", &NumericsConfig::riemann, {.doc = "Riemann solver", .choices = {"exact"}})
         .key("integrator", &NumericsConfig::integrator,
-             {.doc = "time integration; rk2: midpoint rule", .choices = {"rk2"}});
+             {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order", .choices = {"rk2", "rk3", "rk4"}});
 }
 
 base::Table<ParallelConfig> parallel_table()

@@ -16,11 +16,11 @@ struct OutputConfig {
 
 /// [[probes]]: one quantity followed over time, a column (or one a component) of probes.csv.
 struct ProbeConfig {
-    std::string name;
+    std::string name = {};
     std::string quantity = "pressure";
-    std::vector<double> point;
-    std::vector<double> low;
-    std::vector<double> high;
+    std::vector<double> point = {};
+    std::vector<double> low = {};
+    std::vector<double> high = {};
     std::string axis = "x";
 };
 

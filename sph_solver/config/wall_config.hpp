@@ -11,14 +11,14 @@ namespace sph {
 
 /// [[walls]]: a rigid wall as written in the file.
 struct WallConfig {
-    std::string name;
+    std::string name = {};
     std::string shape = "polyline";
-    std::vector<std::vector<double>> points;
+    std::vector<std::vector<double>> points = {};
     bool closed = false;
-    std::vector<double> low;
-    std::vector<double> high;
-    std::vector<std::string> open;
-    std::vector<double> depth;
+    std::vector<double> low = {};
+    std::vector<double> high = {};
+    std::vector<std::string> open = {};
+    std::vector<double> depth = {};
 };
 
 base::Table<WallConfig> wall_table();
@@ -27,7 +27,7 @@ base::Table<WallConfig> wall_table();
 /// fluid. 2D: segments (a, b), n = (t_y, -t_x) with t = b - a, the solid on the left; 3D: quadrilaterals,
 /// counterclockwise seen from the fluid. Unused corners are -1.
 struct WallShape {
-    std::string name;
+    std::string name = {};
     int dimension = 2;
     std::vector<double> vertices;             ///< points * dimension [m]
     std::vector<std::array<int, 4>> facets;   ///< indices of vertices

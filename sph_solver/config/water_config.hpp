@@ -12,11 +12,11 @@ namespace sph {
 /// [[water]]: one body of water at the start.
 struct WaterConfig {
     std::string shape = "box";
-    std::vector<double> low;
-    std::vector<double> high;
-    std::vector<double> centre;
+    std::vector<double> low = {};
+    std::vector<double> high = {};
+    std::vector<double> centre = {};
     double radius = 0.0;
-    std::vector<double> velocity;
+    std::vector<double> velocity = {};
 };
 
 /// [initial]
@@ -28,9 +28,9 @@ struct InitialConfig {
 
 /// [[outflow]]: particles beyond a plane are taken out and counted.
 struct OutflowConfig {
-    std::string name;
-    std::vector<double> point;
-    std::vector<double> normal;
+    std::string name = {};
+    std::vector<double> point = {};
+    std::vector<double> normal = {};
 };
 
 base::Table<WaterConfig> water_table();

@@ -18,7 +18,7 @@ struct EnergyRow {
     double internal = 0;
     double mass = 0;                           ///< of the water that is left [kg], [kg/m]
     double work_by_walls = 0;                  ///< of walls that the configuration moves
-    double work_by_interface = 0;              ///< of the solid's surface, its jumps included
+    double work_by_interface = 0;              ///< of the coupled solid's surface
     double outflow_mass = 0;                   ///< [kg], [kg/m]
     std::array<double, 3> outflow_momentum{};  ///< [kg m/s], [kg/s]
     double outflow_energy = 0;

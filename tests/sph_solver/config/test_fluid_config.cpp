@@ -72,7 +72,7 @@ TEST(FluidConfig, FillsDefaults)
 
 TEST(FluidConfig, RefusesMistypedKeysWithTheNearestName)
 {
-    expect_refusal(with("spacing", "spacings"), {"fluid.toml:5", "spacings", "spacing"});
+    expect_refusal(with("spacing = 0.002", "spacing = 0.002\nsmothing_ratio = 1.2"), {"fluid.toml:6", "smothing_ratio", "'smoothing_ratio'"});
 }
 
 TEST(FluidConfig, RefusesNegativeAndMissingSizes)

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/solid_link.hpp"
+
+#include "sph_solver/interface/interface_geometry.hpp"
+
+namespace sph {
+namespace {
+
+/// A load beyond rho0 c0^2 would need water hitting the surface at the speed of sound: the computation has diverged.
+coupler::InterfaceSettings settings(const coupler::Session& session, const Tait& eos)
+{
+    coupler::InterfaceSettings result = session.coupling().interface_settings();
+    result.impedance = eos.rho0 * eos.c0;
+    result.pressure_limit = eos.rho0 * eos.c0 * eos.c0;
+    return result;
+}
+
+}  // namespace
+
+template <int D>
+SolidLink<D>::SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search,
+                        Walls<D>& walls)
+    : session_(session), walls_(walls), region_margin_(search.reach() + search.skin()), region_step_(search.reach()),
+      interface_(session.participant(), settings(session, model.eos), D),
+      observer_(walls.settings(), session.coupling().interface_settings().load == coupler::LoadKind::averaged)
+{
+    batch_.dimension = D;
+    if (session.is_root()) record_.emplace(session.output_dir(), D);
+}
+
+template <int D>
+void SolidLink<D>::greet(const Particles<D>& particles, double time)
+{
+    send({.step = -1, .time = time}, particles, {});
+    receive();
+    move_walls();
+}
+
+template <int D>
+void SolidLink<D>::measure_start(FluidStep<D>& step, Particles<D>& particles)
+{
+    observer_.begin_step(particles, walls_, 0.0);
+    const Evaluation<D>& evaluation = step.evaluate(particles);
+    observer_.observe(particles, walls_, evaluation, 1.0, 0.0);
+}
+
+template <int D>
+void SolidLink<D>::exchange(const coupler::Window& window, const Particles<D>& particles, const EnergyLedger<D>& ledger)
+{
+    sum_load(ledger);
+    send(window, particles, observer_.loads());
+    const coupler::FacetBatch before = batch_;
+    receive();
+    if (window.step > 0) {
+        const auto jump = jump_work(observer_.loads(), walls_, before, batch_);
+        report_.jump_work += session_.comm().total(jump).value();
+    }
+    move_walls();
+    if (record_) record_->add(window, report_, solid_);
+}
+
+template <int D>
+void SolidLink<D>::send(const coupler::Window& window, const Particles<D>& particles, const coupler::FacetLoads& loads)
+{
+    const auto scope = session_.timers().scope("interface: send");
+    interface_.send(window, region_of(particles, region_margin_, region_step_), loads, batch_, report_);
+}
+
+template <int D>
+void SolidLink<D>::receive()
+{
+    const auto scope = session_.timers().scope("interface: wait for the solid");
+    batch_ = interface_.receive(solid_);
+}
+
+template <int D>
+void SolidLink<D>::move_walls()
+{
+    set_interface_motion(walls_, batch_);
+    observer_.set_facet_count(batch_.facet_ids.size());
+}
+
+/// Force, moment and work that travel with the load: sums over all ranks.
+template <int D>
+void SolidLink<D>::sum_load(const EnergyLedger<D>& ledger)
+{
+    const Resultant load = resultant(observer_.loads(), walls_, batch_, session_.comm());
+    report_.force = load.force;
+    report_.moment = load.moment;
+    report_.work_on_solid = -session_.comm().total(ledger.work_by_interface()).value();
+    report_.wait = session_.comm().max(interface_.wait_seconds());
+}
+
+template <int D>
+void SolidLink<D>::report(const EnergyBalance& energies)
+{
+    report_.kinetic = energies.kinetic;
+    report_.potential = energies.potential;
+    report_.internal = energies.internal;
+    report_.external_work = energies.work_by_walls;
+    report_.outflow = energies.outflow_energy;
+    report_.dissipated = energies.dissipation_riemann + energies.dissipation_mass_flux + energies.dissipation_walls +
+                         energies.viscous;
+}
+
+template <int D>
+void SolidLink<D>::write_row()
+{
+    if (record_) record_->write();
+}
+
+template <int D>
+void SolidLink<D>::summarise(base::JsonObject& figures) const
+{
+    const auto& comm = session_.comm();
+    const std::int64_t bytes = interface_.bytes_received();
+    figures.set("wait_s", comm.max(interface_.wait_seconds()))
+        .set("bytes_received_most", comm.max(bytes))
+        .set("bytes_received_least", -comm.max(-bytes))
+        .set("bytes_sent_all_ranks", comm.sum(interface_.bytes_sent()));
+    if (!record_) return;
+    figures.set("interface_work_mismatch", record_->audit().worst_mismatch()).set("energy_drift", record_->energy_drift());
+}
+
+template class SolidLink<2>;
+template class SolidLink<3>;
+
+}  // namespace sph

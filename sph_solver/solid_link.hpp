@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/coupling/fluid_interface.hpp"
+#include "coupler_lib/session/interface_record.hpp"
+#include "coupler_lib/session/session.hpp"
+#include "sph_solver/time/energy_ledger.hpp"
+#include "sph_solver/time/fluid_step.hpp"
+#include "sph_solver/time/load_observer.hpp"
+
+#include <optional>
+
+namespace sph {
+
+/// The fluid's side of the coupling: what crosses the interface, and the account of it.
+///
+/// At t_n the fluid sends the load of its step n - 1 and the next dt, and receives the surface's motion at t_n, with
+/// which its moving walls start step n. Both sides then compute t_n -> t_n+1 at the same time.
+template <int D>
+class SolidLink {
+public:
+    SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search, Walls<D>& walls);
+
+    /// Measures the loads of every step.
+    StageObserver<D>& observer() { return observer_; }
+
+    /// Asks where the facets are and puts them into the walls. \pre particles are spread over the ranks. Collective.
+    void greet(const Particles<D>& particles, double time);
+
+    /// Measures load 0, that of the state at rest with the walls where they are. Collective.
+    void measure_start(FluidStep<D>& step, Particles<D>& particles);
+
+    /// Sends the load of the last step, receives the motion at `window.time` and gives it to the walls. Collective.
+    /// \param ledger  for the work of the interface so far
+    void exchange(const coupler::Window& window, const Particles<D>& particles, const EnergyLedger<D>& ledger);
+
+    /// Energies that go with the next packets; to be renewed whenever a row is written.
+    void report(const EnergyBalance& energies);
+
+    /// Writes a row of interface.csv and energy_total.csv for the last exchange.
+    void write_row();
+
+    [[nodiscard]] bool stop_agreed() const { return interface_.stop_agreed(); }
+
+    /// Adds waits, bytes, balances to the figures of the run. Collective.
+    void summarise(base::JsonObject& figures) const;
+
+private:
+    void send(const coupler::Window& window, const Particles<D>& particles, const coupler::FacetLoads& loads);
+    void receive();
+    void move_walls();
+    void sum_load(const EnergyLedger<D>& ledger);
+
+    coupler::Session& session_;
+    Walls<D>& walls_;
+    double region_margin_;
+    double region_step_;
+    coupler::FluidInterface interface_;
+    LoadObserver<D> observer_;
+    coupler::FacetBatch batch_;
+    coupler::FluidReport report_;
+    coupler::SolidReport solid_;
+    std::optional<coupler::InterfaceRecord> record_;  ///< on rank 0
+};
+
+}  // namespace sph
