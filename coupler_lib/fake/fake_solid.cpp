@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// A spring-mass piston with a flat rigid wet surface, in the place of fem_solver.
+//
+//     mpirun -n 1 sph_solver coupling.toml : -n 1 fake_solid coupling.toml
+//
+//        fluid
+//     ===========   wet surface, m [kg/m^2]
+//        /\/\/      k [N/m^3]
+#include "coupler_lib/base/csv.hpp"
+#include "coupler_lib/base/json.hpp"
+#include "coupler_lib/coupling/acceleration_filter.hpp"
+#include "coupler_lib/coupling/patience.hpp"
+#include "coupler_lib/coupling/solid_interface.hpp"
+#include "coupler_lib/fake/piston_surface.hpp"
+#include "coupler_lib/session/session.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace {
+
+using namespace coupler;
+
+/// DIR/solid/probes.csv and energy.csv.
+class Tables {
+public:
+    explicit Tables(const std::string& folder)
+        : probes_(folder + "/probes.csv", {"t[s]", "piston.ux[m]", "piston.uy[m]", "piston.u[m]", "piston.v[m/s]",
+                                           "piston.a[m/s^2]", "piston.load[Pa]"}),
+          energy_(folder + "/energy.csv",
+                  {"t[s]", "dt[s]", "kinetic[J/m]", "strain[J/m]", "potential[J/m]", "work_interface[J/m]",
+                   "work_supports[J/m]", "work_loads[J/m]", "contact[J/m]", "friction[J/m]",
+                   "numerical_dissipation[J/m]", "balance_error[J/m]"})
+    {}
+
+    void write(const Window& window, const Oscillator& piston, const PistonSurface& surface)
+    {
+        const auto along = surface.displacement_vector(piston.displacement());
+        probes_.row({window.time, along[0], along[1], piston.displacement(), piston.velocity(), piston.acceleration(),
+                     piston.applied_load()});
+        const double area = surface.length();
+        energy_.row({window.time, window.dt, area * piston.kinetic(), area * piston.strain(), area * piston.potential(),
+                     area * piston.work(), 0, 0, 0, 0, area * piston.numerical_dissipation(),
+                     area * piston.balance_error()});
+    }
+
+private:
+    base::CsvWriter probes_, energy_;
+};
+
+/// One run of the piston.
+class PistonRun {
+public:
+    PistonRun(Session& session, const FakeSolidConfig& config)
+        : session_(session),
+          config_(config),
+          surface_(config.surface, session.comm()),
+          piston_(config.piston),
+          wet_(session.participant(), session.coupling().interface_settings(), surface_.wet()),
+          filter_(session.coupling().scheme.acceleration == "nodal" ? 0 : session.coupling().scheme.acceleration_steps)
+    {
+        if (session.is_root()) tables_.emplace(session.own_dir());
+    }
+
+    void run()
+    {
+        Window window = wet_.receive(load_, fluid_);
+        answer(window); // greeting: where the surface is
+        while (!window.last) {
+            window = wet_.receive(load_, fluid_);
+            if (window.step == 0) piston_.start(surface_.axial(load_));
+            if (!answer(window)) return;
+            if (window.last) break;
+            Patience::nap(config_.run.sleep);
+            piston_.advance(load_of_step(), window.dt);
+            surface_.resultants(load_, piston_.displacement(), piston_.applied_load(), report_);
+        }
+        session_.write_summary(summary(window));
+    }
+
+private:
+    /// Sends the motion at the window's time and writes a row. \return false: the fault "leave" ends the run here
+    bool answer(const Window& window)
+    {
+        const Fault fault = window.step < 0 ? Fault::none : act_out(config_.fault, window.step, session_.comm().rank());
+        if (fault == Fault::leave) return false;
+        auto motion = surface_.motion(piston_.displacement(), piston_.velocity(), piston_.acceleration());
+        filter_.apply(window.time, motion);
+        if (fault == Fault::nan) motion.velocity.at(0) = std::numeric_limits<double>::quiet_NaN();
+        fill_report();
+        wet_.send(motion, report_);
+        if (tables_ && window.step >= 0) tables_->write(window, piston_, surface_);
+        return true;
+    }
+
+    OscillatorLoad load_of_step() const
+    {
+        const auto& scheme = session_.coupling().scheme;
+        const double share = scheme.scheme == "parallel_impedance" ? scheme.impedance_factor : 0.0;
+        const double cosine = surface_.axis_cosine(); // the reaction rho c v.n acts along n
+        return {surface_.axial(load_), share * load_.impedance * cosine * cosine, surface_.axial(load_.wall_velocity)};
+    }
+
+    void fill_report()
+    {
+        const double area = surface_.length();
+        report_.work = area * piston_.work();
+        report_.displacement_max = std::abs(piston_.displacement());
+        report_.kinetic = area * piston_.kinetic();
+        report_.strain = area * piston_.strain();
+        report_.potential = area * piston_.potential();
+        report_.dissipated = area * piston_.numerical_dissipation();
+        report_.wait = session_.comm().max(wet_.wait_seconds());
+    }
+
+    base::JsonObject summary(const Window& window)
+    {
+        base::JsonObject figures;
+        figures.set("steps", window.step)
+            .set("wait_s", report_.wait)
+            .set("bytes_received_rank0", wet_.bytes_received());
+        return figures;
+    }
+
+    Session& session_;
+    const FakeSolidConfig& config_;
+    PistonSurface surface_;
+    Oscillator piston_;
+    SolidInterface wet_;
+    AccelerationFilter filter_;
+    SurfaceLoad load_;
+    FluidReport fluid_;
+    SolidReport report_;
+    std::optional<Tables> tables_;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const ProgramInfo program{"fake_solid", "solid",
+                              "A spring-mass piston with a flat wet surface, in the place of fem_solver.",
+                              [](base::ConfigReader& reader) { read_fake_solid(reader); }};
+    return run_program(program, argc, argv, [](Session& session) {
+        auto reader = session.reader();
+        const FakeSolidConfig config = read_fake_solid(reader);
+        base::require_input(session.coupled(), "fake_solid runs coupled only: give it coupling.toml");
+        if (session.check_only()) return;
+        PistonRun(session, config).run();
+    });
+}
