@@ -91,9 +91,10 @@ private:
         const auto step = static_cast<std::size_t>(image.order++);
         image.path[step] = &plane;
         image.height[step] = s;
-        Image<D> shared = image;
-        shared.weight *= share_of(p, x_image, source);
-        if (shared.weight > 0) visit(static_cast<const Image<D>&>(shared));
+        const double whole = image.weight;
+        image.weight *= share_of(p, x_image, source);
+        if (image.weight > 0) visit(static_cast<const Image<D>&>(image));
+        image.weight = whole;
         if (image.order == 3) return;
         for (std::size_t q = 0; q < source.planes.size(); ++q)
             if (may_follow(image, &source.planes[q])) extend(image, x_image, source, q, visit);
