@@ -24,6 +24,7 @@ def last_fields(path: Path) -> dict[str, np.ndarray]:
     file = FieldFile(path)
     step = file.read(len(file.steps) - 1)
     fields = {"points": step.points, **step.fields}
+    fields.pop("rank", None)
     if "id" in fields:
         order = np.argsort(np.ravel(fields.pop("id")))
         fields = {name: values[order] for name, values in fields.items()}
