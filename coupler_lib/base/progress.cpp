@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -18,10 +20,20 @@ std::string duration(double seconds)
     return fmt::format("{} h {:02d} min", whole / 3600, whole / 60 % 60);
 }
 
+/// Is somebody watching? mpirun gives every program a terminal of its own, so there its own output decides.
+bool watched()
+{
+    if (isatty(STDOUT_FILENO) != 1) return false;
+    if (!std::getenv("OMPI_COMM_WORLD_SIZE")) return true;
+    std::error_code error;
+    const auto launcher = std::filesystem::read_symlink(fmt::format("/proc/{}/fd/1", getppid()), error).string();
+    return !error && (launcher.rfind("/dev/pts/", 0) == 0 || launcher.rfind("/dev/tty", 0) == 0);
+}
+
 }  // namespace
 
 Progress::Progress(const Log& log, double start_time, double end_time)
-    : log_(&log), start_time_(start_time), end_time_(end_time), terminal_(isatty(STDOUT_FILENO) == 1)
+    : log_(&log), start_time_(start_time), end_time_(end_time), terminal_(watched())
 {
 }
 
