@@ -23,6 +23,7 @@ struct FluidInterface::Parts {
     Parts(Participant& participant_, InterfaceSettings settings_, int dimension)
         : participant(participant_),
           settings(std::move(settings_)),
+          own_name(participant_.name_of(participant_.world_rank())),
           exchange(participant_, solid_ranks(participant_, settings.partner), Field::load),
           received(exchange.size())
     {
@@ -34,6 +35,7 @@ struct FluidInterface::Parts {
 
     Participant& participant;
     InterfaceSettings settings;
+    std::string own_name;
     PacketExchange exchange;
     std::vector<ReceivedFacets> received; ///< by solid rank
     std::vector<double> scratch;
@@ -54,7 +56,7 @@ void FluidInterface::send(const Window& window, const RegionBox& my_region, cons
     Parts& my = *parts_;
     my.participant.set_clock(window.step, window.time);
     check_load_sizes(loads, used, my.settings.load);
-    check_loads(used, loads, my.settings.pressure_limit, my.participant.name_of(my.participant.world_rank()));
+    check_loads(used, loads, my.settings.pressure_limit, my.own_name);
     PacketHeader header;
     header.step = window.step;
     header.time = window.time;
@@ -110,7 +112,7 @@ const FacetBatch& FluidInterface::receive(SolidReport& solid)
         packets.back().take(report);
         if (peer == 0) solid = report;
     }
-    if (my.stop_agreed) my.participant.request_stop();  // now every rank knows
+    if (my.stop_agreed) my.participant.request_stop(); // now every rank knows
     if (my.take_topology(packets)) merge_topology(my.received, my.batch);
     for (std::size_t peer = 0; peer < packets.size(); ++peer) {
         merge_motion(my.received[peer], packets[peer], my.scratch, my.batch);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -46,24 +47,31 @@ std::string describe(const PacketHeader& header);
 /// A packet being written: a header, then items and arrays one after the other. The buffer is kept from step to step.
 class PacketWriter {
 public:
-    void begin() { buffer_.resize(sizeof(PacketHeader)); }
+    /// Forgets what it held; leaves room for the header.
+    void begin() { grow(0, sizeof(PacketHeader)); }
     template<class T> void put(const T& item) { put(&item, 1); }
     template<class T> void put(const std::vector<T>& items) { put(items.data(), items.size()); }
     template<class T> void put(const T* items, std::size_t count)
     {
         static_assert(std::is_trivially_copyable_v<T>);
         if (count == 0) return;
-        const std::size_t at = buffer_.size();
-        buffer_.resize(at + count * sizeof(T));
+        const std::size_t at = used_;
+        grow(at, count * sizeof(T));
         std::memcpy(buffer_.data() + at, static_cast<const void*>(items), count * sizeof(T));
     }
     /// Puts the header in front, with magic, length and checksum filled in.
     void finish(PacketHeader header);
 
-    const std::vector<char>& bytes() const { return buffer_; }
+    std::span<const char> bytes() const { return {buffer_.data(), used_}; }
 
 private:
-    std::vector<char> buffer_;
+    void grow(std::size_t at, std::size_t bytes)
+    {
+        used_ = at + bytes;
+        if (used_ > buffer_.size()) buffer_.resize(2 * used_);
+    }
+    std::vector<char> buffer_; ///< never shrinks
+    std::size_t used_ = 0;
 };
 
 /// A packet that has arrived. The constructor checks magic, length and checksum and throws base::Error(bad_input) with
@@ -94,6 +102,7 @@ public:
 
 private:
     void need(std::size_t count, std::size_t bytes_each) const;
+    [[noreturn]] void refuse(const std::string& why) const;
 
     const std::vector<char>& buffer_;
     PacketHeader header_;

@@ -26,7 +26,10 @@ PacketExchange::PacketExchange(Participant& participant, std::vector<int> peers,
       send_field_(send_field),
       receive_field_(send_field == Field::load ? Field::motion : Field::load)
 {
-    for (std::size_t peer = 0; peer < peers.size(); ++peer) peers_[peer].rank = peers[peer];
+    for (std::size_t peer = 0; peer < peers.size(); ++peer) {
+        peers_[peer].rank = peers[peer];
+        peers_[peer].name = participant.name_of(peers[peer]);
+    }
 }
 
 PacketExchange::~PacketExchange()
@@ -55,7 +58,7 @@ void PacketExchange::send(std::size_t peer, PacketHeader header)
     header.field = send_field_;
     header.sequence = to.sent++;
     to.outgoing.finish(header);
-    const auto& bytes = to.outgoing.bytes();
+    const auto bytes = to.outgoing.bytes();
     MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to.rank, tag_of(send_field_),
               participant_.coupling_comm(), &to.sending);
     bytes_sent_ += static_cast<std::int64_t>(bytes.size());
@@ -93,10 +96,10 @@ std::vector<int> PacketExchange::missing() const
     return ranks;
 }
 
-void PacketExchange::receive_all(const std::string& what)
+void PacketExchange::receive_all(const char* what)
 {
     for (Peer& from : peers_) from.here = false;
-    waited_ += participant_.wait_until([this] { return advance(); }, what.c_str(), [this] { return missing(); });
+    waited_ += participant_.wait_until([this] { return advance(); }, what, [this] { return missing(); });
     for (Peer& from : peers_) ++from.received;
 }
 
@@ -108,9 +111,11 @@ void PacketExchange::check(std::size_t peer, const PacketHeader& got, PacketHead
     const bool same = got.field == expected.field && got.sequence == expected.sequence && got.step == expected.step &&
                       std::abs(got.time - expected.time) <= slack && std::abs(got.dt - expected.dt) <= slack &&
                       got.dimension == expected.dimension;
-    base::require_input(same, participant_.name_of(participant_.world_rank()), " expects the ", describe(expected),
-                        ", but ", participant_.name_of(peers_[peer].rank), " sent the ", describe(got),
-                        ": the two sides have lost step with each other");
+    if (same) return;
+    throw base::Error(base::ExitCode::bad_input,
+                      base::text(participant_.name_of(participant_.world_rank()), " expects the ", describe(expected),
+                                 ", but ", name(peer), " sent the ", describe(got),
+                                 ": the two sides have lost step with each other"));
 }
 
 } // namespace coupler

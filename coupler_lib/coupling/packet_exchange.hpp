@@ -22,7 +22,8 @@ public:
     PacketExchange& operator=(const PacketExchange&) = delete;
 
     std::size_t size() const { return peers_.size(); }
-    int world_rank(std::size_t peer) const { return peers_[peer].rank; }
+    /// "'solid' (rank 1, pid 4711, host gauss)"
+    const std::string& name(std::size_t peer) const { return peers_[peer].name; }
 
     /// The buffer for the next packet to this peer, empty but for the room of its header. Waits until the last one is out.
     PacketWriter& outgoing(std::size_t peer);
@@ -30,7 +31,7 @@ public:
     void send(std::size_t peer, PacketHeader header);
 
     /// Waits for one packet of every peer. Throws as Participant::wait_until does. \param what for the message
-    void receive_all(const std::string& what);
+    void receive_all(const char* what);
     const std::vector<char>& incoming(std::size_t peer) const { return peers_[peer].incoming; }
 
     /// Throws base::Error(bad_input), naming both views, unless the packet is what `expected` says: field, sequence (my
@@ -44,6 +45,7 @@ public:
 private:
     struct Peer {
         int rank = 0;
+        std::string name;
         PacketWriter outgoing;
         std::vector<char> incoming;
         MPI_Request sending = MPI_REQUEST_NULL;

@@ -58,6 +58,7 @@ struct SolidInterface::Parts {
     Parts(Participant& participant_, InterfaceSettings settings_, WetSurface surface_)
         : participant(participant_),
           settings(std::move(settings_)),
+          own_name(participant_.name_of(participant_.world_rank())),
           surface(checked(std::move(surface_), participant_)),
           order(order_by_id(surface.facet_ids)),
           exchange(participant_, fluid_ranks(participant_, settings.partner), Field::motion),
@@ -75,6 +76,7 @@ struct SolidInterface::Parts {
 
     Participant& participant;
     InterfaceSettings settings;
+    std::string own_name;
     WetSurface surface;
     std::vector<int> order; ///< facet indices by ascending id
     PacketExchange exchange;
@@ -132,13 +134,13 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
         packet.take(report);
         packet.take(my.regions[peer]);
         packet.take(load.impedance);
-        my.sum.add(packet, my.participant.name_of(my.exchange.world_rank(peer)));
+        my.sum.add(packet, my.exchange.name(peer));
         packet.finish();
         if (peer == 0) fluid = report;
     }
     my.begun = true;
     my.window = {first.step, first.time, first.dt, first.has(window_is_last), first.has(window_stops)};
-    if (my.window.stop_requested) my.participant.request_stop();  // now every rank knows
+    if (my.window.stop_requested) my.participant.request_stop(); // now every rank knows
     my.participant.set_clock(first.step, first.time);
     load.force.clear();
     load.pressure.clear();
@@ -153,7 +155,7 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
 void SolidInterface::send(const SurfaceMotion& motion, const SolidReport& report)
 {
     Parts& my = *parts_;
-    my.guard.check(my.surface, motion, my.participant.name_of(my.participant.world_rank()));
+    my.guard.check(my.surface, motion, my.own_name);
     PacketHeader header;
     header.step = my.window.step;
     header.time = my.window.time;

@@ -84,11 +84,14 @@ void MotionGuard::check(const WetSurface& surface, const SurfaceMotion& motion, 
     for (std::size_t node = 0; node < node_count(surface) && !last_position_.empty(); ++node) {
         const auto at = static_cast<std::ptrdiff_t>(node) * dimension;
         const double move = distance(motion.position.data() + at, last_position_.data() + at, dimension);
-        base::require(
-            move <= longest_move_, base::ExitCode::numerical_failure, who, ": wet node ", surface.node_ids[node],
-            " jumped by ", move, " m in one step, from ", point_text(last_position_.data() + at, dimension), " to ",
-            point_text(motion.position.data() + at, dimension), "; the limit is ", longest_move_,
-            " m (interface.motion_jump_limit mean facet sizes): the step is too large or the run has diverged");
+        if (move <= longest_move_) continue;
+        throw base::Error(
+            base::ExitCode::numerical_failure,
+            base::text(who, ": wet node ", surface.node_ids[node], " jumped by ", move, " m in one step, from ",
+                       point_text(last_position_.data() + at, dimension), " to ",
+                       point_text(motion.position.data() + at, dimension), "; the limit is ", longest_move_,
+                       " m (interface.motion_jump_limit mean facet sizes): the step is too large or the run has "
+                       "diverged"));
     }
     last_position_ = motion.position;
 }

@@ -21,7 +21,7 @@ std::vector<char> example()
     writer.put(3.5);
     writer.put(std::vector<int>{1, 2, 3});
     writer.finish(header);
-    return writer.bytes();
+    return {writer.bytes().begin(), writer.bytes().end()};
 }
 
 TEST(Packet, ArrivesAsItWasSent)
