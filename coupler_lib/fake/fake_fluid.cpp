@@ -104,7 +104,7 @@ private:
         if (window.step < 1) return;
         const auto jump = session_.comm().total(pressure_.jump_work(*batch_));
         report_.jump_work += jump.value();
-        report_.external_work = report_.work_on_solid + report_.jump_work;  // whatever makes the pressure pays for it
+        report_.external_work = report_.work_on_solid + report_.jump_work; // whatever makes the pressure pays for it
     }
 
     void measure(double time, double dt)
