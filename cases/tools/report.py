@@ -46,8 +46,8 @@ def image_of(figure, alt: str) -> str:
 def subtitle(case: Path, summary: dict) -> str:
     readme = case / "README.md"
     title = readme.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") if readme.exists() else ""
-    versions = {summary.get(side, {}).get("version") for side in SIDES} - {None}
-    names = [f"Rivage {version}" for version in sorted(map(str, versions))]
+    parts = [summary[side] for side in SIDES if side in summary]
+    names = sorted({f"Rivage {part['version']}, commit {part.get('commit', '?')}" for part in parts if "version" in part})
     return " · ".join(part for part in (title, *names) if part)
 
 

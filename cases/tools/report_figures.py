@@ -37,7 +37,7 @@ def draw_drift(axes, run: RunFolder, energies: EnergySum) -> None:
         axes.stackplot(energies.t[::every], stack, labels=labels, colors=SHADES, alpha=0.55, linewidth=0)
     draw(axes, energies.t, energies.drift, color=TOTAL, label=f"drift of the sum: {energies.drift[-1]:.3g}")
     axes.set(title="Drift of the sum, and what was dissipated", xlabel="t [s]", ylabel=f"energy [{energies.unit}]")
-    axes.legend(loc="lower left", fontsize=7.5, title=f"at the end [{energies.unit}]", title_fontsize=7.5)
+    axes.legend(fontsize=7.5, frameon=True, framealpha=0.8, edgecolor="none", title=f"at the end [{energies.unit}]", title_fontsize=7.5)
 
 
 def worst_mismatch(interface: Table) -> float:
@@ -59,7 +59,7 @@ def draw_forces(axes, interface: Table) -> None:
     t = interface["t"]
     span = 0.0125 * (t[-1] - t[0])
     for axis, colour in (("x", FLUID), ("y", SOLID), ("z", TOTAL)):
-        if f"force_sent_{axis}" in interface:
+        if f"force_sent_{axis}" in interface and np.any(np.abs(interface[f"force_sent_{axis}"]) > 1e-9):
             draw(axes, t, interface[f"force_sent_{axis}"], color=colour, linewidth=0.6, alpha=0.3)
             draw(axes, t, running_mean(t, interface[f"force_received_{axis}"], span), color=colour, label=axis)
     axes.set(title=f"Force on the solid (line: mean over {1000 * span:.2g} ms)", xlabel="t [s]",
