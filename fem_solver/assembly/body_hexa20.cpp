@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/assembly/element_body.hpp"
+
+namespace fem {
+
+template std::unique_ptr<SolidBody> make_element_body<Hexa20>(const Mesh&, const MatrixPattern&, const Material&,
+                                                             const BodySettings&);
+
+} // namespace fem

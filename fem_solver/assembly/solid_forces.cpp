@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/assembly/solid_forces.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace fem {
+
+Forces Forces::zero(Eigen::Index dofs)
+{
+    const Eigen::VectorXd z = Eigen::VectorXd::Zero(dofs);
+    return {z, z, z, z, z, z};
+}
+
+Forces Forces::blend(double a, const Forces& other, double b) const
+{
+    return {a * internal + b * other.internal,   a * damping + b * other.damping,
+            a * gravity + b * other.gravity,     a * loads + b * other.loads,
+            a * interface + b * other.interface, a * correction + b * other.correction};
+}
+
+SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings)
+    : pattern_(mesh), body_(make_solid_body(mesh, pattern_, material, settings)), mass_(pattern_.zero()),
+      initial_stiffness_(pattern_.zero()), damping_(pattern_.zero()),
+      gravity_(Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)))
+{
+    body_->add_mass(mass_);
+    sparse_mass_ = mass_.pruned();
+    body_->add_stiffness(Eigen::VectorXd::Zero(dofs()), initial_stiffness_);
+    const double edge = std::pow(mesh.elements(), -1.0 / mesh.dimension) * // about the element's size
+                        (Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
+                             .reshaped(mesh.dimension, mesh.nodes())
+                             .rowwise()
+                             .maxCoeff() -
+                         Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
+                             .reshaped(mesh.dimension, mesh.nodes())
+                             .rowwise()
+                             .minCoeff())
+                            .maxCoeff();
+    round_off_ = 4 * std::numeric_limits<double>::epsilon() * initial_stiffness_.diagonal().maxCoeff() * edge;
+}
+
+void SolidForces::set_damping(const Damping& damping)
+{
+    damped_ = damping.stiffness != 0 || damping.mass != 0;
+    damping_.coeffs() = damping.stiffness * initial_stiffness_.coeffs() + damping.mass * mass_.coeffs();
+}
+
+void SolidForces::set_gravity(const std::vector<double>& acceleration)
+{
+    Eigen::VectorXd field(dofs());
+    for (Eigen::Index i = 0; i < field.size(); ++i) field[i] = acceleration[i % std::ssize(acceleration)];
+    gravity_ = inertia(field);
+}
+
+Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces) const
+{
+    forces.internal.setZero();
+    if (const Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal); inversion.happened())
+        return inversion;
+    if (damped_) forces.damping.noalias() = damping_ * motion.velocity;
+    forces.gravity = scale * gravity_;
+    forces.loads.setZero();
+    for (const auto& load : loads_) load->add_force(motion, scale, forces.loads);
+    forces.interface.setZero();
+    if (interface_) interface_->add_force(motion, scale, forces.interface);
+    forces.correction.setZero();
+    if (correction_) correction_->add_force(motion, scale, forces.correction);
+    return {};
+}
+
+Matrix SolidForces::tangent(const Motion& motion, const TangentFactors& factors) const
+{
+    Matrix k = pattern_.zero();
+    body_->add_stiffness(motion.displacement, k);
+    for (const auto& load : loads_) load->add_tangent(motion, factors.scale, factors.velocity_slope, k);
+    if (interface_) interface_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
+    if (correction_) correction_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
+    if (damped_) k.coeffs() += factors.velocity_slope * damping_.coeffs();
+    k.coeffs() = factors.stiffness * k.coeffs() + factors.mass * mass_.coeffs();
+    return k;
+}
+
+} // namespace fem

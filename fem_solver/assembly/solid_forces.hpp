@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/assembly/load.hpp"
+#include "fem_solver/assembly/solid_body.hpp"
+
+namespace fem {
+
+/// Nodal forces of one instant by origin [N] (2D: N/m).
+struct Forces {
+    Eigen::VectorXd internal;   ///< f_int(u)
+    Eigen::VectorXd damping;    ///< C v
+    Eigen::VectorXd gravity;    ///< M g
+    Eigen::VectorXd loads;      ///< pressures, tractions, nodal forces of the configuration
+    Eigen::VectorXd interface;  ///< what the fluid sent
+    Eigen::VectorXd correction; ///< what the coupling scheme adds to it (impedance)
+
+    static Forces zero(Eigen::Index dofs);
+    /// g = f_int + C v - f_ext, the unbalanced force without inertia.
+    Eigen::VectorXd unbalanced() const { return internal + damping - gravity - loads - interface - correction; }
+    /// a times this plus b times other, origin by origin.
+    Forces blend(double a, const Forces& other, double b) const;
+};
+
+/// Stiffness-proportional and mass-proportional damping, C = eta K_0 + mass M (K_0: undeformed stiffness).
+struct Damping {
+    double stiffness = 0; ///< eta [s]
+    double mass = 0;      ///< [1/s]
+};
+
+/// Everything that pulls at the nodes: body, damping, gravity and loads, with mass and tangent. Built once, in setup.
+class SolidForces {
+public:
+    SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings);
+    SolidForces(const SolidForces&) = delete;
+
+    void set_damping(const Damping& damping);
+    void set_gravity(const std::vector<double>& acceleration);
+    void add_load(std::unique_ptr<Load> load) { loads_.push_back(std::move(load)); }
+    void set_interface_load(std::unique_ptr<Load> load) { interface_ = std::move(load); }
+    void set_correction(std::unique_ptr<Load> load) { correction_ = std::move(load); }
+
+    const MatrixPattern& pattern() const { return pattern_; }
+    Eigen::Index dofs() const { return mass_.rows(); }
+    const Matrix& mass() const { return mass_; }
+    /// Stiffness of the undeformed, unloaded body.
+    const Matrix& initial_stiffness() const { return initial_stiffness_; }
+    SolidBody& body() const { return *body_; }
+
+    /// All forces for a motion. \param scale factor on gravity and loads (static load stepping; 1 otherwise).
+    Inversion evaluate(const Motion& motion, double scale, Forces& forces) const;
+    /// mass_factor M + stiffness_factor (dg/du + velocity_slope dg/dv), g the unbalanced force.
+    struct TangentFactors {
+        double mass, stiffness, velocity_slope, scale;
+    };
+    Matrix tangent(const Motion& motion, const TangentFactors& factors) const;
+
+    double kinetic_energy(const Motion& motion) const { return 0.5 * motion.velocity.dot(inertia(motion.velocity)); }
+    double strain_energy(const Motion& motion) const { return body_->strain_energy(motion.displacement); }
+    /// Potential of gravity, - g . M u; zero in the reference state.
+    double potential_energy(const Motion& motion) const { return -motion.displacement.dot(gravity_); }
+    /// M times a field.
+    Eigen::VectorXd inertia(const Eigen::VectorXd& field) const { return sparse_mass_ * field; }
+    /// Round-off level of a nodal force: what a residual cannot fall below.
+    double round_off() const { return round_off_; }
+
+private:
+    MatrixPattern pattern_;
+    std::unique_ptr<SolidBody> body_;
+    Matrix mass_, sparse_mass_, initial_stiffness_, damping_;
+    bool damped_ = false;
+    Eigen::VectorXd gravity_;
+    std::vector<std::unique_ptr<Load>> loads_;
+    std::unique_ptr<Load> interface_, correction_;
+    double round_off_ = 0;
+};
+
+} // namespace fem

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/config/analysis_config.hpp"
+
+namespace fem {
+
+base::Table<AnalysisConfig> analysis_table()
+{
+    return base::Table<AnalysisConfig>("what is solved")
+        .key("kind", &AnalysisConfig::kind,
+             {.doc = "dynamic: motion over time; static: equilibrium, alone only", .choices = {"dynamic", "static"}})
+        .key("load_steps", &AnalysisConfig::load_steps,
+             {.unit = "-", .doc = "static: parts in which the loads are raised", .min = 1, .max = 100000});
+}
+
+base::Table<TimeConfig> time_table()
+{
+    return base::Table<TimeConfig>("integration over time")
+        .key("scheme", &TimeConfig::scheme, {.doc = "HHT in its full form", .choices = {"hht"}})
+        .key("alpha", &TimeConfig::alpha,
+             {.unit = "-", .doc = "0: no numerical damping; negative: damps high frequencies", .min = -1.0 / 3, .max = 0})
+        .key("dt", &TimeConfig::dt, {.unit = "s", .doc = "step length of a run alone; coupled, the fluid sets it", .min = 0})
+        .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of a run alone; coupling.toml overrules it", .min = 0});
+}
+
+base::Table<NewtonConfig> newton_table()
+{
+    return base::Table<NewtonConfig>("the nonlinear iteration of a step")
+        .key("tolerance", &NewtonConfig::tolerance,
+             {.unit = "-", .doc = "largest nodal residual over the largest nodal force", .max = 1e-2, .positive = true})
+        .key("max_iterations", &NewtonConfig::max_iterations, {.unit = "-", .doc = "in one step", .min = 1, .max = 1000})
+        .key("contraction", &NewtonConfig::contraction,
+             {.unit = "-", .doc = "dynamic: a kept factorisation is renewed when the residual falls by less", .max = 1,
+              .positive = true})
+        .key("predictor", &NewtonConfig::predictor,
+             {.doc = "dynamic: first iterate of a step", .choices = {"constant_acceleration", "still"}});
+}
+
+base::Table<ProbeConfig> probe_table()
+{
+    return base::Table<ProbeConfig>("values at the node nearest to a position, one column a component")
+        .key("name", &ProbeConfig::name, {.doc = "first part of the column's name", .required = true})
+        .key("position", &ProbeConfig::position, {.unit = "m", .doc = "in the reference state", .required = true})
+        .key("quantities", &ProbeConfig::quantities,
+             {.doc = "what is written", .choices = {"displacement", "velocity", "acceleration"}});
+}
+
+base::Table<OutputConfig> output_table()
+{
+    return base::Table<OutputConfig>("when a run alone writes; coupling.toml decides in a coupled run")
+        .key("interval", &OutputConfig::interval,
+             {.unit = "s", .doc = "between two field outputs; 0: start and end only", .min = 0})
+        .key("table_interval", &OutputConfig::table_interval,
+             {.unit = "s", .doc = "between two rows of the CSV tables; 0: every step", .min = 0});
+}
+
+} // namespace fem

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/config/body_config.hpp"
+
+namespace fem {
+
+base::Table<ModelConfig> model_table()
+{
+    return base::Table<ModelConfig>("what kind of solid is computed")
+        .key("dimension", &ModelConfig::dimension, {.unit = "-", .doc = "of space", .min = 2, .max = 3})
+        .key("assumption", &ModelConfig::assumption,
+             {.doc = "in 2D; plane strain: no stretch across the plane. Ignored in 3D", .choices = {"plane_strain"}});
+}
+
+base::Table<MeshConfig> mesh_table()
+{
+    return base::Table<MeshConfig>("the mesh; a block has the groups left, right, bottom, top (3D: back, front) and all")
+        .key("kind", &MeshConfig::kind, {.doc = "block: rectangle or box cut into equal cells", .choices = {"block"}})
+        .key("low", &MeshConfig::low, {.unit = "m", .doc = "lower corner", .required = true})
+        .key("high", &MeshConfig::high, {.unit = "m", .doc = "upper corner", .required = true})
+        .key("cells", &MeshConfig::cells,
+             {.unit = "-", .doc = "number of elements along each direction", .min = 1, .required = true})
+        .key("element", &MeshConfig::element,
+             {.doc = "shape of the elements", .choices = {"quad4", "quad8", "hexa8", "hexa20"}})
+        .key("integration", &MeshConfig::integration,
+             {.doc = "of quad8 and hexa20: reduced has 2, full 3 points a direction", .choices = {"reduced", "full"}})
+        .key("formulation", &MeshConfig::formulation,
+             {.doc = "of quad4 and hexa8: enhanced has the modes against locking; standard locks in bending",
+              .choices = {"enhanced", "standard"}});
+}
+
+base::Table<MaterialConfig> material_table()
+{
+    return base::Table<MaterialConfig>("the solid's material")
+        .key("law", &MaterialConfig::law,
+             {.doc = "elastic: Hooke (small kinematics) or St. Venant-Kirchhoff (finite); neo_hookean: for rubber",
+              .choices = {"elastic", "neo_hookean"}})
+        .key("E", &MaterialConfig::young, {.unit = "Pa", .doc = "Young's modulus", .positive = true, .required = true})
+        .key("nu", &MaterialConfig::poisson,
+             {.unit = "-", .doc = "Poisson's ratio", .min = -0.99, .max = 0.49999, .required = true})
+        .key("density", &MaterialConfig::density,
+             {.unit = "kg/m^3", .doc = "in the reference state", .positive = true, .required = true})
+        .key("kinematics", &MaterialConfig::kinematics,
+             {.doc = "finite: displacements and rotations of any size; small: linear, law elastic only",
+              .choices = {"finite", "small"}});
+}
+
+base::Table<GravityConfig> gravity_table()
+{
+    return base::Table<GravityConfig>("the body's own weight")
+        .key("acceleration", &GravityConfig::acceleration,
+             {.unit = "m/s^2", .doc = "one number a dimension; empty: no gravity"});
+}
+
+base::Table<DampingConfig> damping_table()
+{
+    return base::Table<DampingConfig>("viscous damping C = stiffness K + mass M, K of the undeformed body")
+        .key("stiffness", &DampingConfig::stiffness, {.unit = "s", .doc = "damps high frequencies", .min = 0})
+        .key("mass", &DampingConfig::mass, {.unit = "1/s", .doc = "damps low frequencies, drags on rigid motion", .min = 0});
+}
+
+} // namespace fem

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/base/config.hpp"
+
+#include <string>
+#include <vector>
+
+namespace fem {
+
+/// [model]: what kind of solid is computed.
+struct ModelConfig {
+    int dimension = 2;
+    std::string assumption = "plane_strain";
+};
+
+/// [mesh]: a built-in block.
+struct MeshConfig {
+    std::string kind = "block";
+    std::vector<double> low, high, cells;
+    std::string element = "quad8";
+    std::string integration = "reduced";
+    std::string formulation = "enhanced";
+};
+
+/// [material.NAME]
+struct MaterialConfig {
+    std::string law = "elastic";
+    double young = 0;
+    double poisson = 0;
+    double density = 0;
+    std::string kinematics = "finite";
+};
+
+/// [gravity]
+struct GravityConfig {
+    std::vector<double> acceleration;
+};
+
+/// [damping]
+struct DampingConfig {
+    double stiffness = 0;
+    double mass = 0;
+};
+
+base::Table<ModelConfig> model_table();
+base::Table<MeshConfig> mesh_table();
+base::Table<MaterialConfig> material_table();
+base::Table<GravityConfig> gravity_table();
+base::Table<DampingConfig> damping_table();
+
+} // namespace fem

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/config/solid_config.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace fem {
+namespace {
+
+std::string element(const char* table, std::size_t k) { return std::string(table) + "." + std::to_string(k); }
+
+void require_size(const base::ConfigReader& reader, const std::vector<double>& numbers, const std::string& path,
+                  int dimension)
+{
+    base::require_input(std::ssize(numbers) == dimension, reader.where(path), ": ", path, " has ", numbers.size(),
+                        " numbers; in ", dimension, "D it needs ", dimension);
+}
+
+void check_mesh(const SolidConfig& config, const base::ConfigReader& reader)
+{
+    const int d = config.model.dimension;
+    const bool flat = config.mesh.element.starts_with("quad");
+    base::require_input(flat == (d == 2), reader.where("mesh.element"), ": element \"", config.mesh.element,
+                        "\" does not belong in a model of dimension ", d);
+    require_size(reader, config.mesh.low, "mesh.low", d);
+    require_size(reader, config.mesh.high, "mesh.high", d);
+    require_size(reader, config.mesh.cells, "mesh.cells", d);
+    for (int k = 0; k < d; ++k) {
+        base::require_input(config.mesh.low[k] < config.mesh.high[k], reader.where("mesh.high"), ": low (",
+                            config.mesh.low[k], " m) is not below high (", config.mesh.high[k], " m) along axis ", k);
+        base::require_input(config.mesh.cells[k] == std::floor(config.mesh.cells[k]) && config.mesh.cells[k] <= 1e6,
+                            reader.where("mesh.cells"), ": ", config.mesh.cells[k], " is no number of cells");
+    }
+}
+
+void check_material(SolidConfig& config, const base::ConfigReader& reader,
+                    const std::vector<std::pair<std::string, MaterialConfig>>& materials)
+{
+    base::require_input(materials.size() == 1, reader.file_name(), ": one table [material.NAME] is needed, there are ",
+                        materials.size());
+    config.material_name = materials.front().first;
+    config.material = materials.front().second;
+    base::require_input(config.material.law == "elastic" || config.material.kinematics == "finite",
+                        reader.where("material." + config.material_name + ".kinematics"),
+                        ": small kinematics goes with the law elastic only");
+}
+
+void check_load(const LoadConfig& load, const base::ConfigReader& reader, const std::string& path, int dimension)
+{
+    if (load.kind == "nodal_force") {
+        require_size(reader, load.position, path + ".position", dimension);
+        require_size(reader, load.force, path + ".force", dimension);
+        return;
+    }
+    base::require_input(!load.group.empty(), reader.where(path), ": a ", load.kind, " needs the group it acts on");
+    if (load.kind == "traction") require_size(reader, load.traction, path + ".traction", dimension);
+    base::require_input(load.kind != "pressure" || load.distribution == "uniform" || load.density > 0, reader.where(path),
+                        ": a hydrostatic pressure needs density and level");
+}
+
+void check_probes(const SolidConfig& config, const base::ConfigReader& reader)
+{
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < config.probes.size(); ++k) {
+        const ProbeConfig& probe = config.probes[k];
+        require_size(reader, probe.position, element("probes", k) + ".position", config.model.dimension);
+        base::require_input(names.insert(probe.name).second, reader.where(element("probes", k)), ": a probe \"",
+                            probe.name, "\" exists already");
+    }
+}
+
+} // namespace
+
+SolidConfig read_solid_config(base::ConfigReader& reader)
+{
+    SolidConfig config;
+    config.model = reader.table("model", model_table());
+    config.mesh = reader.table("mesh", mesh_table());
+    const auto materials = reader.named_tables("material", material_table());
+    config.gravity = reader.table("gravity", gravity_table());
+    config.damping = reader.table("damping", damping_table());
+    config.supports = reader.tables("supports", support_table());
+    config.loads = reader.tables("loads", load_table());
+    config.interface = reader.table("interface", interface_table());
+    config.analysis = reader.table("analysis", analysis_table());
+    config.time = reader.table("time", time_table());
+    config.newton = reader.table("newton", newton_table());
+    config.probes = reader.tables("probes", probe_table());
+    config.output = reader.table("output", output_table());
+    if (reader.describing()) return config;
+    reader.finish();
+
+    check_mesh(config, reader);
+    check_material(config, reader, materials);
+    if (config.gravity.acceleration.empty()) config.gravity.acceleration.assign(config.model.dimension, 0.0);
+    require_size(reader, config.gravity.acceleration, "gravity.acceleration", config.model.dimension);
+    for (std::size_t k = 0; k < config.loads.size(); ++k)
+        check_load(config.loads[k], reader, element("loads", k), config.model.dimension);
+    check_probes(config, reader);
+    return config;
+}
+
+} // namespace fem

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace fem {
+
+/// Energies now, and works and dissipations since the start [J] (2D: J/m). Work is positive when done on the solid.
+struct SolidEnergies {
+    double kinetic = 0, strain = 0, potential = 0;
+    double work_interface = 0;  ///< by the fluid, the impedance correction included
+    double work_correction = 0; ///< the correction's part of it
+    double work_supports = 0, work_loads = 0;
+    double damping = 0;               ///< dissipated by C v
+    double numerical_dissipation = 0; ///< of the time scheme; second order in dt and not of one sign
+    double balance_error = 0;         ///< what is left of the energy identity, see EnergyLedger
+
+    double total() const { return kinetic + strain + potential; }
+};
+
+} // namespace fem

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/dofs/sparse_matrix.hpp"
+
+#include <string>
+#include <vector>
+
+namespace fem {
+
+/// Components of the nodes of named groups held at zero displacement.
+class Supports {
+public:
+    explicit Supports(const Mesh& mesh) : mesh_(&mesh), fixed_(mesh.coordinates.size(), 0) {}
+
+    /// Holds components ("x", "y", "z") of a node group.
+    /// \throws base::Error bad_input for an unknown group or component.
+    void fix(const std::string& group, const std::vector<std::string>& components);
+
+    bool fixed(int dof) const { return fixed_[dof] != 0; }
+    bool empty() const { return groups_.empty(); }
+    /// Names of the supported groups, in the order of `fix`.
+    const std::vector<std::string>& groups() const { return groups_; }
+    /// Zero in the held entries of a residual or a correction.
+    void clear_rows(Eigen::VectorXd& vector) const;
+    /// Zero in the held rows and columns, `diagonal` on the diagonal: the held unknowns drop out of the system.
+    void clear(Matrix& matrix, double diagonal) const;
+    /// Only the held entries of a vector of nodal forces, zero elsewhere.
+    Eigen::VectorXd held_part(const Eigen::VectorXd& forces) const;
+    /// Sum of the held entries over the nodes of a group: its reaction, one entry per dimension [N] (2D: N/m).
+    std::vector<double> reaction(const std::string& group, const Eigen::VectorXd& forces) const;
+
+private:
+    const Mesh* mesh_;
+    std::vector<char> fixed_;
+    std::vector<std::string> groups_;
+};
+
+} // namespace fem

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/coupling/acceleration_filter.hpp"
+#include "coupler_lib/coupling/solid_interface.hpp"
+#include "fem_solver/interface/wet_boundary.hpp"
+
+namespace fem {
+
+/// The solid's conversation with the fluid: load in, motion out, once a window.
+class FluidLink {
+public:
+    /// \param acceleration_steps steps that the wall acceleration sent to the fluid is averaged over; 0: nodal values.
+    FluidLink(coupler::Participant& participant, const coupler::InterfaceSettings& settings,
+              const WetBoundary& boundary, int acceleration_steps);
+
+    /// Waits for the fluid's packet; its load is then in `load`.
+    coupler::Window receive();
+    /// Answers with the motion at a time [s].
+    void send(double time, const Motion& motion, coupler::SolidReport report);
+
+    const coupler::SurfaceLoad& load() const { return load_; }
+    double wait_seconds() const { return interface_.wait_seconds(); }
+    std::int64_t bytes_received() const { return interface_.bytes_received(); }
+
+private:
+    const WetBoundary* boundary_;
+    coupler::SolidInterface interface_;
+    coupler::AccelerationFilter filter_;
+    coupler::SurfaceLoad load_;
+    coupler::FluidReport fluid_;
+};
+
+} // namespace fem

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/coupling/surface.hpp"
+#include "fem_solver/dofs/motion.hpp"
+#include "fem_solver/mesh/linear_facets.hpp"
+
+namespace fem {
+
+/// The part of the body's surface that the fluid may touch, and the way between surface arrays (one entry per wet
+/// node, ascending) and the body's own vectors (one per node of the mesh).
+class WetBoundary {
+public:
+    /// \throws base::Error bad_input when a group is unknown or none is named.
+    WetBoundary(const Mesh& mesh, const std::vector<std::string>& groups);
+
+    /// Linear facets on the mesh's node ids, see linear_facets.
+    const std::vector<std::array<int, 4>>& facets() const { return facets_; }
+    /// Nodes of the facets, ascending.
+    const std::vector<int>& surface_nodes() const { return nodes_; }
+    /// As the coupling library wants it registered.
+    coupler::WetSurface surface() const;
+    coupler::SurfaceMotion motion(const Motion& motion) const;
+    /// A surface array spread over all nodes of the mesh, zero elsewhere.
+    Eigen::VectorXd spread(const std::vector<double>& surface_values) const;
+    /// Entry per surface node of a vector over all nodes.
+    std::vector<double> gather(const Eigen::VectorXd& field) const;
+    /// Length of the largest displacement of a wet node [m].
+    double largest_displacement(const Motion& motion) const;
+
+private:
+    const Mesh* mesh_;
+    std::vector<std::array<int, 4>> facets_;
+    std::vector<int> nodes_;
+};
+
+/// Force and moment about the origin of nodal forces [N, N m] (2D: N/m, N), at the current positions.
+struct Resultants {
+    std::array<double, 3> force{}, moment{};
+};
+Resultants resultants(const Mesh& mesh, const Motion& motion, const Eigen::VectorXd& forces);
+
+} // namespace fem

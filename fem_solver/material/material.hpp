@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/material/neo_hookean.hpp"
+
+#include <variant>
+
+namespace fem {
+
+/// One of the known laws.
+using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean>;
+
+/// A law and the mass density in the reference state [kg/m^3].
+struct Material {
+    Law law;
+    double density = 0;
+};
+
+/// Cauchy stress of a law [Pa], always 3 x 3; plane strain brings its normal stress across the plane.
+///
+///     sigma = P F^T / det F    (finite kinematics),    sigma = P    (small)
+template <class LawType, int D>
+Eigen::Matrix3d cauchy_stress(const LawType& law, const Tensor<D>& f)
+{
+    Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
+    full.topLeftCorner<D, D>() = f;
+    const Eigen::Matrix3d p = law.template stress<3>(full);
+    if constexpr (!LawType::finite) return p;
+    return p * full.transpose() / full.determinant();
+}
+
+} // namespace fem

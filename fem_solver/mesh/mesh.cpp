@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/mesh/mesh.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/element/gauss.hpp"
+
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace fem {
+namespace {
+
+template <class Groups>
+const auto& find_group(const Groups& groups, const std::string& name)
+{
+    const auto found = groups.find(name);
+    if (found != groups.end()) return found->second;
+    std::string known;
+    for (const auto& entry : groups) known += (known.empty() ? "" : ", ") + entry.first;
+    throw base::Error(base::ExitCode::bad_input, "the mesh has no group '" + name + "'; its groups are: " + known);
+}
+
+template <class Shape>
+Eigen::Matrix<double, Shape::dimension, Shape::nodes> element_positions(const Mesh& mesh, int element)
+{
+    Eigen::Matrix<double, Shape::dimension, Shape::nodes> x;
+    for (int a = 0; a < Shape::nodes; ++a) {
+        const double* node = mesh.node(mesh.connectivity[static_cast<std::size_t>(element) * Shape::nodes + a]);
+        for (int k = 0; k < Shape::dimension; ++k) x(k, a) = node[k];
+    }
+    return x;
+}
+
+} // namespace
+
+int Mesh::nodes_per_element() const
+{
+    return with_shape(type, [](auto shape) { return shape.nodes; });
+}
+
+const std::vector<MeshFace>& Mesh::faces(const std::string& group) const { return find_group(face_groups, group); }
+
+const std::vector<int>& Mesh::group_nodes(const std::string& group) const { return find_group(node_groups, group); }
+
+std::vector<int> Mesh::face_nodes(const MeshFace& face) const
+{
+    return with_shape(type, [&](auto shape) {
+        std::vector<int> nodes;
+        for (const int local : shape.faces[face.face])
+            nodes.push_back(connectivity[static_cast<std::size_t>(face.element) * shape.nodes + local]);
+        return nodes;
+    });
+}
+
+int Mesh::nearest_node(const std::vector<double>& point) const
+{
+    int best = 0;
+    double best_distance = std::numeric_limits<double>::max();
+    for (int i = 0; i < nodes(); ++i) {
+        double distance = 0;
+        for (int k = 0; k < dimension; ++k) distance += (node(i)[k] - point[k]) * (node(i)[k] - point[k]);
+        if (distance < best_distance) {
+            best = i;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+std::string Mesh::describe_node(int i) const
+{
+    std::string text = "(";
+    for (int k = 0; k < dimension; ++k) text += base::text(k > 0 ? ", " : "", node(i)[k]);
+    return text + ")";
+}
+
+void check_jacobians(const Mesh& mesh)
+{
+    with_shape(mesh.type, [&](auto shape) {
+        using Shape = decltype(shape);
+        for (int e = 0; e < mesh.elements(); ++e) {
+            const auto x = element_positions<Shape>(mesh, e);
+            for (const auto& point : gauss_points<Shape::dimension>(Shape::full_gauss)) {
+                const double det = (x * Shape::gradients(point.xi).transpose()).determinant();
+                const int first = mesh.connectivity[static_cast<std::size_t>(e) * Shape::nodes];
+                base::require_input(det > 0, "element ", e, " (", name_of(mesh.type), ") with its first node at ",
+                                    mesh.describe_node(first), " m has the Jacobian ", det,
+                                    ": it is turned inside out or has no volume");
+            }
+        }
+    });
+}
+
+} // namespace fem

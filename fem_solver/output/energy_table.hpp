@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/base/csv.hpp"
+#include "fem_solver/dofs/solid_energies.hpp"
+
+namespace fem {
+
+/// energy.csv: energies, works and dissipations over time [J] (2D: J/m). No contact is computed, so its two columns
+/// are zero.
+class EnergyTable {
+public:
+    EnergyTable(const std::string& folder, int dimension);
+
+    /// \param time [s]. \param dt length of the step that ended there [s].
+    void write(double time, double dt, const SolidEnergies& energies);
+
+private:
+    base::CsvWriter file_;
+};
+
+} // namespace fem

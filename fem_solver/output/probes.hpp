@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/config/analysis_config.hpp"
+#include "fem_solver/dofs/motion.hpp"
+#include "fem_solver/mesh/mesh.hpp"
+
+namespace fem {
+
+/// Values at chosen nodes over time: probes.csv, columns such as "tip.ux[m]", "tip.vy[m/s]".
+class Probes {
+public:
+    Probes(const Mesh& mesh, const std::vector<ProbeConfig>& probes);
+
+    /// Headers, without the time.
+    const std::vector<std::string>& columns() const { return columns_; }
+    std::vector<double> values(const Motion& motion) const;
+
+private:
+    struct Entry {
+        Eigen::VectorXd Motion::*field;
+        Eigen::Index dof;
+    };
+    std::vector<std::string> columns_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace fem

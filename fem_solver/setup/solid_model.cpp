@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/setup/solid_model.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/assembly/pressure_load.hpp"
+#include "fem_solver/mesh/block_mesh.hpp"
+
+#include <algorithm>
+
+namespace fem {
+namespace {
+
+ElementType element_type(const std::string& name)
+{
+    for (const ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::hexa8, ElementType::hexa20})
+        if (name_of(type) == name) return type;
+    throw base::Error(base::ExitCode::bad_input, "unknown element \"" + name + "\"");
+}
+
+PressureField pressure_field(const LoadConfig& load, int dimension)
+{
+    if (load.distribution == "uniform") return [p = load.pressure](const double*) { return p; };
+    return [=](const double* x) { return load.density * load.gravity * std::max(load.level - x[dimension - 1], 0.0); };
+}
+
+} // namespace
+
+Mesh make_mesh(const MeshConfig& config)
+{
+    return make_block({element_type(config.element), config.low, config.high, {config.cells.begin(), config.cells.end()}});
+}
+
+Material make_material(const MaterialConfig& config)
+{
+    const Lame lame = Lame::from_young(config.young, config.poisson);
+    if (config.law == "neo_hookean") return {NeoHookean{lame}, config.density};
+    if (config.kinematics == "small") return {SmallElastic{lame}, config.density};
+    return {SaintVenantKirchhoff{lame}, config.density};
+}
+
+SolidModel::SolidModel(const SolidConfig& config)
+    : mesh_(make_mesh(config.mesh)), supports_(mesh_),
+      forces_(mesh_, make_material(config.material),
+              {config.mesh.integration == "full", config.mesh.formulation == "enhanced"})
+{
+    for (const SupportConfig& support : config.supports) supports_.fix(support.group, support.fix);
+    forces_.set_damping({config.damping.stiffness, config.damping.mass});
+    forces_.set_gravity(config.gravity.acceleration);
+    for (const LoadConfig& load : config.loads) add_load(load);
+}
+
+void SolidModel::add_load(const LoadConfig& load)
+{
+    if (load.kind == "nodal_force") {
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(forces_.dofs());
+        const int node = mesh_.nearest_node(load.position);
+        for (int k = 0; k < mesh_.dimension; ++k) force[node * mesh_.dimension + k] = load.force[k];
+        forces_.add_load(std::make_unique<DeadLoad>(force));
+        return;
+    }
+    const auto& faces = mesh_.faces(load.group);
+    const PressureField pressure = pressure_field(load, mesh_.dimension);
+    if (load.kind == "traction")
+        forces_.add_load(std::make_unique<DeadLoad>(traction_force(mesh_, faces, load.traction)));
+    else if (load.follower)
+        forces_.add_load(make_follower_pressure(mesh_, forces_.pattern(), faces, pressure));
+    else
+        forces_.add_load(std::make_unique<DeadLoad>(dead_pressure_force(mesh_, forces_.pattern(), faces, pressure)));
+}
+
+} // namespace fem

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/assembly/solid_forces.hpp"
+#include "fem_solver/config/solid_config.hpp"
+#include "fem_solver/dofs/supports.hpp"
+
+namespace fem {
+
+/// The solid as solid.toml describes it: mesh, supports, and everything that pulls at the nodes.
+class SolidModel {
+public:
+    /// \throws base::Error bad_input for unknown groups and unusable meshes.
+    explicit SolidModel(const SolidConfig& config);
+    SolidModel(const SolidModel&) = delete;
+
+    const Mesh& mesh() const { return mesh_; }
+    const Supports& supports() const { return supports_; }
+    SolidForces& forces() { return forces_; }
+    const SolidForces& forces() const { return forces_; }
+
+private:
+    void add_load(const LoadConfig& load);
+
+    Mesh mesh_;
+    Supports supports_;
+    SolidForces forces_;
+};
+
+/// The block mesh of a configuration.
+Mesh make_mesh(const MeshConfig& config);
+/// The material of a configuration.
+Material make_material(const MaterialConfig& config);
+
+} // namespace fem

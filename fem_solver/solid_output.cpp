@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/solid_output.hpp"
+
+namespace fem {
+namespace {
+
+using Zero = base::OutputClock::Zero;
+
+std::vector<std::string> with_time(const std::vector<std::string>& columns)
+{
+    std::vector<std::string> header{"t[s]"};
+    header.insert(header.end(), columns.begin(), columns.end());
+    return header;
+}
+
+std::vector<std::string> reaction_columns(const SolidModel& model)
+{
+    std::vector<std::string> columns;
+    const int d = model.mesh().dimension;
+    for (const std::string& group : model.supports().groups())
+        for (int k = 0; k < d; ++k)
+            columns.push_back(group + ".f" + "xyz"[k] + (d == 2 ? "[N/m]" : "[N]"));
+    return columns;
+}
+
+double table_interval(const SolidConfig& config, const coupler::Session& session)
+{
+    return session.coupled() ? session.coupling().output.table_interval : config.output.table_interval;
+}
+
+double field_interval(const SolidConfig& config, const coupler::Session& session)
+{
+    return session.coupled() ? session.coupling().output.interval : config.output.interval;
+}
+
+} // namespace
+
+SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model)
+    : model_(model), probes_(model.mesh(), config.probes),
+      row_clock_(table_interval(config, session), Zero::every_step),
+      field_clock_(field_interval(config, session), Zero::never),
+      energy_table_(session.own_dir(), model.mesh().dimension),
+      probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
+      reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
+      fields_(session.own_dir(), model.mesh(), session.comm())
+{
+}
+
+void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
+                        const Eigen::VectorXd& reaction)
+{
+    if (row_clock_.due(now.time) || now.last) {
+        energy_table_.write(now.time, now.dt, energies);
+        std::vector<double> row = probes_.values(motion);
+        row.insert(row.begin(), now.time);
+        probe_table_.row(row);
+        probe_table_.flush();
+        row = reactions(reaction);
+        row.insert(row.begin(), now.time);
+        reaction_table_.row(row);
+        reaction_table_.flush();
+    }
+    if (field_clock_.due(now.time) || now.last)
+        fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement));
+}
+
+std::vector<double> SolidOutput::reactions(const Eigen::VectorXd& reaction) const
+{
+    std::vector<double> sums;
+    for (const std::string& group : model_.supports().groups())
+        for (const double sum : model_.supports().reaction(group, reaction)) sums.push_back(sum);
+    return sums;
+}
+
+} // namespace fem

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "coupler_lib/base/output_clock.hpp"
+#include "coupler_lib/session/session.hpp"
+#include "fem_solver/output/energy_table.hpp"
+#include "fem_solver/output/field_file.hpp"
+#include "fem_solver/output/probes.hpp"
+#include "fem_solver/setup/solid_model.hpp"
+
+namespace fem {
+
+/// Where the run is: time [s], number and length [s] of the step that ended there.
+struct Instant {
+    double time = 0;
+    long step = 0;
+    double dt = 0;
+    bool last = false;
+};
+
+/// All files that the solid writes over time, each when it is due: energy.csv, probes.csv, reactions.csv, fields.
+class SolidOutput {
+public:
+    SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model);
+
+    /// \param reaction forces of the supports, one entry per degree of freedom [N].
+    void write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
+               const Eigen::VectorXd& reaction);
+
+private:
+    std::vector<double> reactions(const Eigen::VectorXd& reaction) const;
+
+    const SolidModel& model_;
+    Probes probes_;
+    base::OutputClock row_clock_, field_clock_;
+    EnergyTable energy_table_;
+    base::CsvWriter probe_table_, reaction_table_;
+    FieldFile fields_;
+};
+
+} // namespace fem

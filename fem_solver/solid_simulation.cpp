@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/solid_simulation.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/output/state_hash.hpp"
+#include "fem_solver/time/static_solution.hpp"
+
+#include <cmath>
+
+namespace fem {
+namespace {
+
+NewtonSettings newton_settings(const NewtonConfig& config)
+{
+    return {config.tolerance, config.max_iterations, config.contraction};
+}
+
+Predictor predictor(const NewtonConfig& config)
+{
+    return config.predictor == "still" ? Predictor::still : Predictor::constant_acceleration;
+}
+
+InterfaceLoadSettings load_settings(const SolidConfig& config, const coupler::CouplingConfig& coupling)
+{
+    const bool answered = coupling.scheme.scheme == "parallel_impedance";
+    return {coupling.interface.load == "averaged", answered ? coupling.scheme.impedance_factor : 0.0,
+            config.interface.smoothing_steps};
+}
+
+int acceleration_steps(const coupler::SchemeConfig& scheme)
+{
+    return scheme.acceleration == "nodal" ? 0 : scheme.acceleration_steps;
+}
+
+} // namespace
+
+SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& session)
+    : config_(config), session_(session), model_(config),
+      step_(model_.mesh(), model_.forces(), model_.supports(), Hht(config.time.alpha), newton_settings(config.newton),
+            predictor(config.newton)),
+      motion_(Motion::at_rest(model_.forces().dofs()))
+{
+    base::require_input(session.comm().size() == 1, "the solid runs on one rank, not on ", session.comm().size(),
+                        ": start it with -n 1");
+    if (session.coupled()) {
+        base::require_input(config.analysis.kind == "dynamic", "a coupled solid moves: [analysis] kind = \"dynamic\"");
+        boundary_.emplace(model_.mesh(), config.interface.groups);
+    } else if (config.analysis.kind == "dynamic") {
+        base::require_input(config.time.dt > 0 && config.time.end > 0, "[time] dt = ", config.time.dt,
+                            " s and end = ", config.time.end, " s: a solid that runs alone needs both above zero");
+    }
+}
+
+void SolidSimulation::check() const
+{
+    session_.log().info(base::text("the input is in order: ", model_.mesh().elements(), " elements ",
+                                   name_of(model_.mesh().type), ", ", model_.mesh().nodes(), " nodes"));
+}
+
+void SolidSimulation::run()
+{
+    output_.emplace(config_, session_, model_);
+    if (session_.coupled()) run_coupled();
+    else if (config_.analysis.kind == "static") run_static();
+    else run_alone();
+}
+
+void SolidSimulation::run_static()
+{
+    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton));
+    SolidEnergies energies;
+    solution.solve(motion_, config_.analysis.load_steps, [&](double factor) {
+        energies.strain = model_.forces().strain_energy(motion_);
+        energies.potential = model_.forces().potential_energy(motion_);
+        now_ = {factor, now_.step + 1, 0, factor == 1};
+        std::string residuals;
+        for (const double residual : solution.residuals()) residuals += base::text(" ", residual);
+        session_.log().info(base::text("load factor ", factor, ": residuals", residuals, " N"));
+        output_->write(now_, motion_, energies, solution.reaction());
+    });
+    finish(base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", energies.strain));
+}
+
+void SolidSimulation::run_alone()
+{
+    const double end = config_.time.end;
+    step_.start(motion_);
+    write();
+    base::Progress progress(session_.log(), 0, end);
+    const long steps = std::lround(std::ceil(end / config_.time.dt * (1 - 1e-12)));
+    while (!now_.last) {
+        session_.participant().check_signals();
+        advance(config_.time.dt);
+        now_.last = now_.step >= steps || session_.participant().stop_requested();
+        progress.update(now_.time, now_.step, now_.dt);
+        write();
+    }
+    progress.finish();
+    finish({});
+}
+
+void SolidSimulation::run_coupled()
+{
+    const auto& coupling = session_.coupling();
+    loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(config_, coupling));
+    fluid_.emplace(session_.participant(), coupling.interface_settings(), *boundary_,
+                   acceleration_steps(coupling.scheme));
+    answer(fluid_->receive()); // greeting: where the body is
+    for (;;) {
+        const coupler::Window window = fluid_->receive();
+        if (window.step == 0) {
+            loads_->start(fluid_->load(), motion_);
+            step_.start(motion_);
+        }
+        now_ = {window.time, window.step, now_.dt, window.last};
+        answer(window);
+        write();
+        if (window.last) break;
+        loads_->set(fluid_->load(), motion_, window.dt);
+        advance(window.dt);
+    }
+    finish(base::JsonObject().set("wait_s", fluid_->wait_seconds()).set("bytes_received", fluid_->bytes_received()));
+}
+
+void SolidSimulation::advance(double dt)
+{
+    const auto scope = session_.timers().scope("step");
+    session_.participant().set_clock(now_.step, now_.time);
+    step_.advance(motion_, dt);
+    now_ = {now_.time + dt, now_.step + 1, dt, false};
+}
+
+/// Sends the motion that belongs to the window's time.
+void SolidSimulation::answer(const coupler::Window& window)
+{
+    const auto scope = session_.timers().scope("send");
+    fluid_->send(window.time, motion_, report());
+}
+
+coupler::SolidReport SolidSimulation::report() const
+{
+    const SolidEnergies& e = step_.energies();
+    const Resultants load = resultants(model_.mesh(), motion_, step_.forces().interface + step_.forces().correction);
+    coupler::SolidReport report;
+    report.force = load.force;
+    report.moment = load.moment;
+    report.work = e.work_interface;
+    report.displacement_max = boundary_->largest_displacement(motion_);
+    report.kinetic = e.kinetic;
+    report.strain = e.strain;
+    report.potential = e.potential;
+    report.external_work = e.work_supports + e.work_loads;
+    report.dissipated = e.damping + e.numerical_dissipation;
+    return report;
+}
+
+void SolidSimulation::write()
+{
+    const auto scope = session_.timers().scope("output");
+    output_->write(now_, motion_, step_.energies(), step_.reaction());
+}
+
+void SolidSimulation::finish(base::JsonObject figures)
+{
+    const double thousands = step_.steps() / 1000.0;
+    figures.set("dimension", model_.mesh().dimension)
+        .set("elements", model_.mesh().elements())
+        .set("nodes", model_.mesh().nodes())
+        .set("steps", now_.step)
+        .set("state_hash", state_hash(motion_));
+    if (step_.steps() > 0)
+        figures.set("newton_iterations_per_step", static_cast<double>(step_.iterations()) / step_.steps())
+            .set("refactorisations_per_1000_steps", step_.factorisations() / thousands)
+            .set("energy_balance_error", step_.energies().balance_error);
+    session_.write_summary(figures);
+}
+
+} // namespace fem

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/time/energy_ledger.hpp"
+
+namespace fem {
+
+void EnergyLedger::start(const Motion& motion, const Forces& forces)
+{
+    energies_ = {};
+    energies_.kinetic = forces_->kinetic_energy(motion);
+    energies_.strain = forces_->strain_energy(motion);
+    energies_.potential = forces_->potential_energy(motion);
+    initial_total_ = energies_.total();
+    weighted_ = forces;
+    reaction_ = support_force(motion, weighted_);
+}
+
+void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, const Forces& forces_n,
+                           const Forces& forces_np1, double dt)
+{
+    const double alpha = hht_.alpha(), gamma = hht_.gamma();
+    const Eigen::VectorXd du = motion_np1.displacement - motion_n.displacement;
+    const Forces weighted_np1 = forces_np1.blend(1 + alpha, forces_n, -alpha);
+    const Eigen::VectorXd reaction_np1 = support_force(motion_np1, weighted_np1);
+    const auto work = [&](const Eigen::VectorXd& f_n, const Eigen::VectorXd& f_np1) {
+        return (1 - gamma) * du.dot(f_n) + gamma * du.dot(f_np1);
+    };
+    const double correction = work(weighted_.correction, weighted_np1.correction);
+    energies_.work_correction += correction;
+    energies_.work_interface += work(weighted_.interface, weighted_np1.interface) + correction;
+    energies_.work_loads += work(weighted_.loads, weighted_np1.loads);
+    energies_.work_supports += work(reaction_, reaction_np1);
+    energies_.damping += work(weighted_.damping, weighted_np1.damping);
+
+    const double strain = forces_->strain_energy(motion_np1);
+    const Eigen::VectorXd da = motion_np1.acceleration - motion_n.acceleration;
+    const Eigen::VectorXd inertia_da = forces_->inertia(da);
+    const double growth = 0.5 * inertia_da.dot(motion_np1.acceleration + motion_n.acceleration); // d(1/2 a.M a)
+    energies_.numerical_dissipation +=
+        work(weighted_.internal, weighted_np1.internal) - (strain - energies_.strain) +
+        dt * dt * (hht_.beta() - 0.5 * gamma) * (growth + (gamma - 0.5) * da.dot(inertia_da));
+
+    energies_.kinetic = forces_->kinetic_energy(motion_np1);
+    energies_.strain = strain;
+    energies_.potential = forces_->potential_energy(motion_np1);
+    energies_.balance_error = energies_.total() - initial_total_ + energies_.damping + energies_.numerical_dissipation -
+                              energies_.work_interface - energies_.work_supports - energies_.work_loads;
+    weighted_ = weighted_np1;
+    reaction_ = reaction_np1;
+}
+
+Eigen::VectorXd EnergyLedger::support_force(const Motion& motion, const Forces& weighted) const
+{
+    return supports_->held_part(forces_->inertia(motion.acceleration) + weighted.unbalanced());
+}
+
+} // namespace fem
