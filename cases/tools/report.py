@@ -47,7 +47,8 @@ def subtitle(case: Path, summary: dict) -> str:
     readme = case / "README.md"
     title = readme.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") if readme.exists() else ""
     parts = [summary[side] for side in SIDES if side in summary]
-    names = sorted({f"Rivage {part['version']}, commit {part.get('commit', '?')}" for part in parts if "version" in part})
+    names = sorted({f"Rivage {part['version']}, commit {part.get('commit', '?')}" for part in parts
+                    if "version" in part})
     return " · ".join(part for part in (title, *names) if part)
 
 
