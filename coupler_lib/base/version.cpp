@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/base/version.hpp"
 
-#include "rivage_version.hpp"
+#include <rivage_version.hpp>
 
 #include <fmt/format.h>
 #include <hdf5.h>
