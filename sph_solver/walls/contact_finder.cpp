@@ -30,7 +30,7 @@ void ContactFinder<D>::append_planes(const Vec<D>& x, std::span<const int> candi
 {
     gather(x, candidates);
     const std::size_t first = planes.size();
-    for (int at = nearest(); at >= 0 && planes.size() < first + D; at = nearest()) {
+    for (int at = nearest(); at >= 0 && planes.size() < first + max_planes; at = nearest()) {
         MirrorPlane<D> plane = plane_at(x, at);
         near_[static_cast<std::size_t>(at)].represented = true;
         if (!is_usable(plane, planes, first)) continue;
@@ -199,11 +199,12 @@ template<int D> void ContactFinder<D>::add_cuts(MirrorPlane<D>& plane, int facet
     }
 }
 
-/// A cut counts only where it leaves the plane's own point in the body, and once.
+/// A cut counts only where it leaves the plane's own point in the body, within the particle's sight, and once.
 template<int D> void ContactFinder<D>::add_cut(MirrorPlane<D>& plane, const Vec<D>& normal, const Vec<D>& point) const
 {
     const double offset = normal.dot(point);
-    if (normal.dot(plane.point) > offset + tolerance_ || plane.cut_count == MirrorPlane<D>::max_cuts) return;
+    if (plane.cut_count == MirrorPlane<D>::max_cuts || normal.dot(plane.point) > offset + tolerance_) return;
+    if (normal.dot(plane.point + plane.distance * plane.normal) < offset - support_) return;
     for (std::size_t c = 0; c < plane.cut_count; ++c)
         if (normal.dot(plane.cuts[c].normal) > cos_flat && std::abs(offset - plane.cuts[c].offset) < tolerance_) return;
     plane.cuts[plane.cut_count++] = {normal, offset};

@@ -15,7 +15,7 @@ namespace sph {
 /// The nearest point of all facets gives the first plane, with n = (x_i - x_w)/|x_i - x_w|, turned outwards where the
 /// particle is inside the wall; only where x_w is the concave joint with a sheet that has its plane, n is the facet's own. Every facet that hangs together with this point through touching facets, and either is
 /// turned away from n by less than the sheet angle or lies behind the plane (beyond a convex edge), is represented by
-/// the plane. The nearest point of what is left gives the next plane, up to D of them.
+/// the plane. The nearest point of what is left gives the next plane, up to max_planes of them.
 ///
 /// Where the body behind the plane ends at a convex edge or a free end, a cut is noted: beyond it there is fluid, and an
 /// image there would count space twice.

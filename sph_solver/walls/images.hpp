@@ -57,7 +57,7 @@ private:
     struct Source {
         const Vec<D>&x_j, &x_i;
         std::span<const MirrorPlane<D>> planes;
-        std::array<double, D> height; ///< of x_j over each plane [m]
+        std::array<double, max_planes> height; ///< of x_j over each plane [m]
     };
 
     template<class Visit>
@@ -110,14 +110,20 @@ private:
     /// Share that plane p has in the space around x: 1 where x lies deeper behind p than behind all others, 0 where less deep.
     double share_of(std::size_t p, const Vec<D>& x, const Source& source) const
     {
-        const auto depth = [&](std::size_t q) {
-            return (source.planes[q].point - x).dot(source.planes[q].normal);
-        };
-        double share = 1;
-        for (std::size_t q = 0; q < source.planes.size(); ++q)
-            if (q != p && source.height[q] > 0)
-                share *= std::clamp(0.5 + (depth(p) - depth(q)) / (2 * blend_), 0.0, 1.0);
-        return share;
+        const std::size_t count = source.planes.size();
+        if (count == 1) return 1;
+        std::array<double, max_planes> depth{};
+        for (std::size_t q = 0; q < count; ++q) depth[q] = (source.planes[q].point - x).dot(source.planes[q].normal);
+        double sum = 0, mine = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            double claim = 1;
+            for (std::size_t q = 0; q < count; ++q)
+                if (q != k && source.height[q] > 0)
+                    claim *= std::clamp(0.5 + (depth[k] - depth[q]) / (2 * blend_), 0.0, 1.0);
+            if (k == p) mine = claim;
+            if (source.height[k] > 0) sum += claim;
+        }
+        return mine > 0 ? mine / sum : 0;
     }
 
     double within_cuts(const MirrorPlane<D>& plane, const Vec<D>& x) const

@@ -9,6 +9,9 @@
 
 namespace sph {
 
+/// Most planes that one particle mirrors its neighbours in: a corner of three walls, or the end of a narrow gap.
+inline constexpr std::size_t max_planes = 3;
+
 /// What is fixed for all images.
 template<int D> struct WallSettings {
     double spacing = 0;                  ///< particle spacing dx [m]

@@ -5,7 +5,7 @@
 #include "sph_solver/interface/interface_geometry.hpp"
 #include "sph_solver/interface/interface_loads.hpp"
 #include "sph_solver/operators/wall_flux.hpp"
-#include "tests/sph_solver/operators/sample_fluid.hpp"
+#include "tests/sph_solver/support/sample_fluid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -51,7 +51,7 @@ TEST(Contacts, ConcaveCornersHaveAPlaneForEachSheet)
 {
     auto walls = lines({{Vec<2>(9, 0), Vec<2>(0, 0), Vec<2>(0, 9)}});
     EXPECT_EQ(planes_at<2>(walls, {0.5, 0.7}).size(), 2u);
-    auto box = cube(10);
+    auto box = cube_walls(10);
     EXPECT_EQ(planes_at<3>(box, {0.5, 0.7, 0.6}).size(), 3u);
     EXPECT_EQ(planes_at<3>(box, {0.5, 0.7, 5}).size(), 2u);
     EXPECT_EQ(planes_at<3>(box, {5, 5, 9.5}).size(), 1u);

@@ -54,6 +54,39 @@ TEST(Images, HardlyOverlapWithTheFluidAroundConvexEdges)
     }
 }
 
+TEST(Images, FillASpaceOnceAlongFans)
+{
+    // facets of 5, 8 and 12 degrees that turn by 60 degrees in all, hollow and bulging
+    for (const double turn : {5.0, 8.0, 12.0, -5.0, -8.0, -12.0}) {
+        const double length = 1.5 * std::abs(turn) / 8;
+        std::vector<Vec<2>> points{Vec<2>(20, 0), Vec<2>(0, 0)};
+        double heading = 180; // the solid is on the left; a hollow turns to the right
+        for (double turned = 0; turned < 60; turned += std::abs(turn)) {
+            heading -= turn;
+            points.push_back(points.back() + polar(length, heading));
+        }
+        points.back() += polar(20, heading);
+        auto walls = lines({points});
+        const auto is_fluid = [&](const Vec<2>& x) { // in front of all facets of a hollow, of any facet of a bulge
+            bool all = true, any = false;
+            for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+                const bool front = (x - points[k]).dot(base::area_vector(base::Simplex<2>{points[k], points[k + 1]})) > 0;
+                all = all && front;
+                any = any || front;
+            }
+            return turn > 0 ? all : any;
+        };
+        for (std::size_t k = 1; k + 2 < points.size(); ++k)
+            for (const double height : {0.5, 1.0, 1.8}) {
+                const Vec<2> normal = base::area_vector(base::Simplex<2>{points[k], points[k + 1]}).normalized();
+                const Vec<2> x = points[k] + 0.3 * (points[k + 1] - points[k]).normalized() + height * normal;
+                const Seen seen = look_around(walls, x, is_fluid);
+                EXPECT_NEAR(seen.volume, 1, 0.06) << turn << " degrees, facet " << k << ", height " << height;
+                EXPECT_LT(seen.gradient.norm(), 0.12) << turn << " degrees, facet " << k << ", height " << height;
+            }
+    }
+}
+
 /// Largest change of the images' volume along a way in steps of 1/50 dx.
 double largest_jump(Walls<2>& walls, const std::function<bool(const Vec<2>&)>& is_fluid, const Vec<2>& from, const Vec<2>& to)
 {
@@ -116,7 +149,7 @@ TEST(Images, OwnImageStaysAway)
 
 TEST(Images, CornerOfThreeWallsHasSevenImagesOfAParticle)
 {
-    auto box = cube(10);
+    auto box = cube_walls(10);
     const std::vector<Vec<3>> positions{Vec<3>(0.5, 0.6, 0.7)};
     const auto particles = particles_at<3>(positions);
     box.prepare(particles, 0.1);

@@ -46,7 +46,7 @@ inline Walls<2> lines(const std::vector<std::vector<Vec<2>>>& chains)
 }
 
 /// The inside of a cube from 0 to `side`, six quadrilaterals.
-inline Walls<3> cube(double side)
+inline Walls<3> cube_walls(double side)
 {
     Walls<3> walls(unit_settings<3>());
     std::vector<double> coordinates;
