@@ -4,6 +4,7 @@
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/operators/fluid_flux.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/wall_gradients.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
 template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
 {
     auto& [rates, sums, fluxes, wall_forces] = evaluation_;
-    const NeighbourList& neighbours = parts_.search.list();
+    NeighbourList& neighbours = in_reach_;
     rates.reset(particles.size());
     {
         const auto scope = parts_.timers.scope("walls: find planes");
@@ -40,6 +41,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     {
         const auto scope = parts_.timers.scope("pass 1: gradients");
         records_.load_states(particles, model_.eos);
+        select_in_reach(neighbours, records_, parts_.search.list(), particles.owned, model_.kernel.support());
         accumulate_fluid_gradients(sums, records_, neighbours, particles.owned, model_);
     }
     {
@@ -73,22 +75,34 @@ template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
 
 template<int D> void FluidStep<D>::refresh_neighbourhood(Particles<D>& particles, double dt)
 {
-    if (!parts_.domain.comm().any(!neighbourhood_holds(particles, dt))) return;
-    rebuild(particles);
+    if (parts_.domain.comm().any(!lists_hold(particles, dt))) return rebuild(particles);
+    if (!walls_hold(dt)) prepare_walls(particles);
 }
 
 /// Will lists and halo still be complete at the end of the step, for a bound on all motion?
-template<int D> bool FluidStep<D>::neighbourhood_holds(const Particles<D>& particles, double dt) const
+///
+/// Asks the particles alone: which facets a rank knows depends on the partition, when lists are made must not. (Water that
+/// a plate keeps apart moves with it, so the pairs it separates stay the same as well.)
+template<int D> bool FluidStep<D>::lists_hold(const Particles<D>& particles, double dt) const
 {
-    if (parts_.walls.stale()) return false;
-    if (particles.owned.empty()) return true;
-    const double allowed = 0.5 * parts_.search.skin();
-    parts_.walls.move(dt);
-    if (parts_.walls.largest_displacement() > allowed) return false;
     double fastest = 0.0;
     for (const int i : particles.owned)
         fastest = std::max(fastest, particles.velocity[static_cast<std::size_t>(i)].squaredNorm());
-    return parts_.search.largest_displacement(particles) + std::sqrt(fastest) * dt <= allowed;
+    return parts_.search.largest_displacement(particles) + std::sqrt(fastest) * dt <= 0.5 * parts_.search.skin();
+}
+
+/// Will the particles near walls still be known at the end of the step?
+template<int D> bool FluidStep<D>::walls_hold(double dt) const
+{
+    if (parts_.walls.stale()) return false;
+    parts_.walls.move(dt);
+    return parts_.walls.largest_displacement() <= 0.5 * parts_.search.skin();
+}
+
+template<int D> void FluidStep<D>::prepare_walls(const Particles<D>& particles)
+{
+    parts_.walls.move(0.0);
+    parts_.walls.prepare(particles, parts_.search.skin());
 }
 
 template<int D> void FluidStep<D>::rebuild(Particles<D>& particles)
@@ -98,8 +112,7 @@ template<int D> void FluidStep<D>::rebuild(Particles<D>& particles)
     parts_.outflow.remove(particles);
     parts_.domain.redistribute(particles);
     update_derived(particles, model_.eos);
-    parts_.walls.move(0.0);
-    parts_.walls.prepare(particles, search.skin());
+    prepare_walls(particles);
     parts_.search.build(particles,
                         [this](const Vec<D>& x_i, const Vec<D>& x_j) { return parts_.walls.may_interact(x_i, x_j); });
     parts_.domain.record_work(particles, search.list().offsets);

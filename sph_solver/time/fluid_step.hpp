@@ -50,7 +50,9 @@ public:
 
 private:
     void refresh_neighbourhood(Particles<D>& particles, double dt);
-    bool neighbourhood_holds(const Particles<D>& particles, double dt) const;
+    bool lists_hold(const Particles<D>& particles, double dt) const;
+    bool walls_hold(double dt) const;
+    void prepare_walls(const Particles<D>& particles);
     void rebuild(Particles<D>& particles);
 
     FluidModel<D> model_;
@@ -58,6 +60,7 @@ private:
     FluidParts<D> parts_;
     std::vector<StageObserver<D>*> observers_;
     PairRecords<D> records_;
+    NeighbourList in_reach_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
     long rebuilds_ = 0;
