@@ -140,6 +140,7 @@ TEST(FieldOutput, WritesAPointCloudThatNamesItsFields)
     FieldOutput<2> output(folder.path(), world());
     output.write(0.0, share(square()));
     output.write(0.5, share(square()));
+    world().barrier();
     std::ifstream file(folder.path() + "/fields.xdmf");
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     for (const char* name : {"pressure", "velocity", "rank", "400", "fields.h5:/step_000001"}) {
