@@ -18,8 +18,7 @@ std::vector<std::string> reaction_columns(const SolidModel& model)
     std::vector<std::string> columns;
     const int d = model.mesh().dimension;
     for (const std::string& group : model.supports().groups())
-        for (int k = 0; k < d; ++k)
-            columns.push_back(group + ".f" + "xyz"[k] + (d == 2 ? "[N/m]" : "[N]"));
+        for (int k = 0; k < d; ++k) columns.push_back(group + ".f" + "xyz"[k] + (d == 2 ? "[N/m]" : "[N]"));
     return columns;
 }
 
@@ -36,15 +35,15 @@ double field_interval(const SolidConfig& config, const coupler::Session& session
 } // namespace
 
 SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model)
-    : model_(model), probes_(model.mesh(), config.probes),
+    : model_(model),
+      probes_(model.mesh(), config.probes),
       row_clock_(table_interval(config, session), Zero::every_step),
       field_clock_(field_interval(config, session), Zero::never),
       energy_table_(session.own_dir(), model.mesh().dimension),
       probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
       reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
       fields_(session.own_dir(), model.mesh(), session.comm())
-{
-}
+{}
 
 void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
                         const Eigen::VectorXd& reaction)

@@ -35,7 +35,9 @@ int acceleration_steps(const coupler::SchemeConfig& scheme)
 } // namespace
 
 SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& session)
-    : config_(config), session_(session), model_(config),
+    : config_(config),
+      session_(session),
+      model_(config),
       step_(model_.mesh(), model_.forces(), model_.supports(), Hht(config.time.alpha), newton_settings(config.newton),
             predictor(config.newton)),
       motion_(Motion::at_rest(model_.forces().dofs()))
@@ -60,9 +62,12 @@ void SolidSimulation::check() const
 void SolidSimulation::run()
 {
     output_.emplace(config_, session_, model_);
-    if (session_.coupled()) run_coupled();
-    else if (config_.analysis.kind == "static") run_static();
-    else run_alone();
+    if (session_.coupled())
+        run_coupled();
+    else if (config_.analysis.kind == "static")
+        run_static();
+    else
+        run_alone();
 }
 
 void SolidSimulation::run_static()

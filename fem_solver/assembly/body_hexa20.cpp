@@ -4,6 +4,6 @@
 namespace fem {
 
 template std::unique_ptr<SolidBody> make_element_body<Hexa20>(const Mesh&, const MatrixPattern&, const Material&,
-                                                             const BodySettings&);
+                                                              const BodySettings&);
 
 } // namespace fem

@@ -12,14 +12,13 @@
 namespace fem {
 
 /// SolidBody for one element shape and one law; everything of an element has a size known to the compiler.
-template <class Shape, class LawType>
-class ElementBody final : public SolidBody {
+template<class Shape, class LawType> class ElementBody final : public SolidBody {
 public:
     static constexpr int D = Shape::dimension;
     static constexpr int N = Shape::nodes;
     static constexpr bool can_enhance = Shape::linear;
-    using Nodal = Eigen::Matrix<double, D, N>;      // one column per node
-    using Modes = Eigen::Matrix<double, D, D>;      // one column per enhanced mode
+    using Nodal = Eigen::Matrix<double, D, N>; // one column per node
+    using Modes = Eigen::Matrix<double, D, D>; // one column per enhanced mode
     using Stiffness = Eigen::Matrix<double, D * N, D * N>;
     using Coupling = Eigen::Matrix<double, D * D, D * N>; // of the enhanced modes with the nodes
 
@@ -67,7 +66,7 @@ private:
 };
 
 /// A : grad N_b for one node: column k holds d(vec P)/du_k, for F = I + U g^T with entries in column order.
-template <int D, class Gradient>
+template<int D, class Gradient>
 Eigen::Matrix<double, D * D, D> stress_slope(const Tangent<D>& tangent, const Gradient& gradient)
 {
     Eigen::Matrix<double, D * D, D> slope = tangent.template leftCols<D>() * gradient[0];
@@ -76,7 +75,7 @@ Eigen::Matrix<double, D * D, D> stress_slope(const Tangent<D>& tangent, const Gr
 }
 
 /// grad N_a contracted with the stress index of a stress_slope: the D x D block that couples two nodes.
-template <int D, class Gradient>
+template<int D, class Gradient>
 Tensor<D> contract(const Gradient& gradient, const Eigen::Matrix<double, D * D, D>& slope)
 {
     Tensor<D> block = gradient[0] * slope.template topRows<D>();
@@ -84,11 +83,15 @@ Tensor<D> contract(const Gradient& gradient, const Eigen::Matrix<double, D * D, 
     return block;
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 ElementBody<Shape, LawType>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, LawType law, double density,
                                          BodySettings settings)
-    : pattern_(&pattern), law_(law), density_(density), enhanced_(can_enhance && settings.enhanced),
-      connectivity_(mesh.connectivity), coordinates_(mesh.coordinates)
+    : pattern_(&pattern),
+      law_(law),
+      density_(density),
+      enhanced_(can_enhance && settings.enhanced),
+      connectivity_(mesh.connectivity),
+      coordinates_(mesh.coordinates)
 {
     const auto rule = gauss_points<D>(settings.full_integration ? Shape::full_gauss : Shape::gauss);
     count_ = static_cast<int>(rule.size());
@@ -109,7 +112,7 @@ ElementBody<Shape, LawType>::ElementBody(const Mesh& mesh, const MatrixPattern& 
     if (enhanced_) modes_.assign(mesh.elements(), Modes::Zero());
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 auto ElementBody<Shape, LawType>::gather(const Eigen::VectorXd& field, int element) const -> Nodal
 {
     Nodal u;
@@ -118,7 +121,7 @@ auto ElementBody<Shape, LawType>::gather(const Eigen::VectorXd& field, int eleme
     return u;
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 auto ElementBody<Shape, LawType>::deformation(const Point& point, const Nodal& u, int element) const -> Tensor<D>
 {
     Tensor<D> f = Tensor<D>::Identity();
@@ -128,7 +131,7 @@ auto ElementBody<Shape, LawType>::deformation(const Point& point, const Nodal& u
     return f;
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 auto ElementBody<Shape, LawType>::mode_system(int element, const Nodal& u) const -> ModeSystem
 {
     ModeSystem system;
@@ -151,8 +154,7 @@ auto ElementBody<Shape, LawType>::mode_system(int element, const Nodal& u) const
     return system;
 }
 
-template <class Shape, class LawType>
-bool ElementBody<Shape, LawType>::relax_modes(int element, const Nodal& u)
+template<class Shape, class LawType> bool ElementBody<Shape, LawType>::relax_modes(int element, const Nodal& u)
 {
     constexpr int max_iterations = 30;
     constexpr double tolerance = 1e-13;
@@ -165,14 +167,15 @@ bool ElementBody<Shape, LawType>::relax_modes(int element, const Nodal& u)
         if (system.inverted || (stalled && size > 1e-9 * system.scale)) break;
         if (size <= tolerance * system.scale || stalled) return true;
         const Eigen::Map<const Eigen::Matrix<double, D * D, 1>> force(system.force.data());
-        Eigen::Map<Eigen::Matrix<double, D * D, 1>>(modes_[element].data()) -= system.stiffness.partialPivLu().solve(force);
+        Eigen::Map<Eigen::Matrix<double, D * D, 1>>(modes_[element].data()) -=
+            system.stiffness.partialPivLu().solve(force);
         last = size;
     }
     modes_[element] = before;
     return false;
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
@@ -193,7 +196,7 @@ Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd&
     return {};
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 void ElementBody<Shape, LawType>::add_point_stiffness(const Tangent<D>& tangent, const Nodal& gradient, Stiffness& k)
 {
     for (int b = 0; b < N; ++b) {
@@ -202,7 +205,7 @@ void ElementBody<Shape, LawType>::add_point_stiffness(const Tangent<D>& tangent,
     }
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 void ElementBody<Shape, LawType>::add_coupling(const Tangent<D>& tangent, const Point& point, Coupling& coupling)
 {
     for (int b = 0; b < N; ++b) {
@@ -212,7 +215,7 @@ void ElementBody<Shape, LawType>::add_coupling(const Tangent<D>& tangent, const 
     }
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
@@ -233,8 +236,7 @@ void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacem
     }
 }
 
-template <class Shape, class LawType>
-void ElementBody<Shape, LawType>::add_mass(Matrix& matrix) const
+template<class Shape, class LawType> void ElementBody<Shape, LawType>::add_mass(Matrix& matrix) const
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     const Eigen::Map<const Eigen::VectorXd> positions(coordinates_.data(), std::ssize(coordinates_));
@@ -254,7 +256,7 @@ void ElementBody<Shape, LawType>::add_mass(Matrix& matrix) const
     }
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 double ElementBody<Shape, LawType>::strain_energy(const Eigen::VectorXd& displacement)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
@@ -268,7 +270,7 @@ double ElementBody<Shape, LawType>::strain_energy(const Eigen::VectorXd& displac
     return energy;
 }
 
-template <class Shape, class LawType>
+template<class Shape, class LawType>
 std::vector<double> ElementBody<Shape, LawType>::stress(const Eigen::VectorXd& displacement)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
@@ -286,7 +288,7 @@ std::vector<double> ElementBody<Shape, LawType>::stress(const Eigen::VectorXd& d
 }
 
 /// The body of a shape with the law of a material. Each shape has its own source file.
-template <class Shape>
+template<class Shape>
 std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
                                              const BodySettings& settings)
 {

@@ -8,8 +8,7 @@
 namespace fem {
 
 /// A face of shape FaceShape in space: its node ids and the integrals that pressure needs.
-template <class FaceShape>
-struct FaceIntegrals {
+template<class FaceShape> struct FaceIntegrals {
     static constexpr int D = FaceShape::dimension + 1;
     static constexpr int N = FaceShape::nodes;
     using Positions = Eigen::Matrix<double, D, N>;

@@ -6,7 +6,10 @@
 namespace fem {
 
 ImpedanceLoad::ImpedanceLoad(const Mesh& mesh, const MatrixPattern& pattern, std::vector<std::array<int, 4>> facets)
-    : mesh_(&mesh), pattern_(&pattern), facets_(std::move(facets)), slots_(mesh.nodes(), -1),
+    : mesh_(&mesh),
+      pattern_(&pattern),
+      facets_(std::move(facets)),
+      slots_(mesh.nodes(), -1),
       reference_velocity_(Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)))
 {
     for (const auto& facet : facets_)

@@ -32,8 +32,8 @@ private:
     const Mesh* mesh_;
     const MatrixPattern* pattern_;
     std::vector<std::array<int, 4>> facets_;
-    std::vector<int> slots_;      ///< per node: index of its block, -1 for nodes that are on no facet
-    std::vector<int> nodes_;      ///< per block: node
+    std::vector<int> slots_;              ///< per node: index of its block, -1 for nodes that are on no facet
+    std::vector<int> nodes_;              ///< per block: node
     std::vector<Eigen::Matrix3d> blocks_; ///< Z_a; the leading D x D part is used
     Eigen::VectorXd reference_velocity_;
 };

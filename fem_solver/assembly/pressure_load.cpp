@@ -6,8 +6,7 @@
 namespace fem {
 namespace {
 
-template <class FaceShape>
-class FollowerPressure final : public Load {
+template<class FaceShape> class FollowerPressure final : public Load {
     using Integrals = FaceIntegrals<FaceShape>;
 
 public:
@@ -57,7 +56,7 @@ private:
 
 /// Calls `action(nodes, x, point)` at the integration points of a linear facet; a triangle is a quadrilateral whose
 /// last two nodes coincide, which has exactly the triangle's linear functions.
-template <class FaceShape, class Action>
+template<class FaceShape, class Action>
 void visit_facet(const Mesh& mesh, const std::array<int, 4>& facet, const Eigen::VectorXd& displacement,
                  Action&& action)
 {
@@ -68,7 +67,7 @@ void visit_facet(const Mesh& mesh, const std::array<int, 4>& facet, const Eigen:
     for (const auto& point : rule) action(nodes.data(), x, point);
 }
 
-template <class FaceShape>
+template<class FaceShape>
 void add_traction(const Mesh& mesh, const std::vector<MeshFace>& faces, const std::vector<double>& traction,
                   Eigen::VectorXd& force)
 {
@@ -109,24 +108,22 @@ Eigen::VectorXd traction_force(const Mesh& mesh, const std::vector<MeshFace>& fa
                                const std::vector<double>& traction)
 {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(std::ssize(mesh.coordinates));
-    with_shape(mesh.type, [&](auto shape) {
-        add_traction<typename decltype(shape)::Face>(mesh, faces, traction, force);
-    });
+    with_shape(mesh.type,
+               [&](auto shape) { add_traction<typename decltype(shape)::Face>(mesh, faces, traction, force); });
     return force;
 }
 
 FacetPressure::FacetPressure(const Mesh& mesh, const MatrixPattern& pattern, std::vector<std::array<int, 4>> facets)
     : mesh_(&mesh), pattern_(&pattern), facets_(std::move(facets)), pressure_(facets_.size(), 0.0)
-{
-}
+{}
 
 void FacetPressure::add_force(const Motion& motion, double scale, Eigen::VectorXd& force) const
 {
     const auto add = [&]<class FaceShape>(FaceShape, std::size_t f) {
         visit_facet<FaceShape>(*mesh_, facets_[f], motion.displacement,
                                [&](const int* nodes, const auto& x, const auto& point) {
-            FaceIntegrals<FaceShape>::add_force(nodes, x, point, scale * pressure_[f], force);
-        });
+                                   FaceIntegrals<FaceShape>::add_force(nodes, x, point, scale * pressure_[f], force);
+                               });
     };
     for (std::size_t f = 0; f < facets_.size(); ++f) mesh_->dimension == 2 ? add(Line2{}, f) : add(Quad4{}, f);
 }
@@ -134,10 +131,10 @@ void FacetPressure::add_force(const Motion& motion, double scale, Eigen::VectorX
 void FacetPressure::add_tangent(const Motion& motion, double scale, double, Matrix& matrix) const
 {
     const auto add = [&]<class FaceShape>(FaceShape, std::size_t f) {
-        visit_facet<FaceShape>(*mesh_, facets_[f], motion.displacement,
-                               [&](const int* nodes, const auto& x, const auto& point) {
-            FaceIntegrals<FaceShape>::add_tangent(*pattern_, nodes, x, point, scale * pressure_[f], matrix);
-        });
+        visit_facet<FaceShape>(
+            *mesh_, facets_[f], motion.displacement, [&](const int* nodes, const auto& x, const auto& point) {
+                FaceIntegrals<FaceShape>::add_tangent(*pattern_, nodes, x, point, scale * pressure_[f], matrix);
+            });
     };
     for (std::size_t f = 0; f < facets_.size(); ++f) mesh_->dimension == 2 ? add(Line2{}, f) : add(Quad4{}, f);
 }

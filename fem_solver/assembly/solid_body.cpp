@@ -3,7 +3,7 @@
 
 namespace fem {
 
-template <class Shape>
+template<class Shape>
 std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
                                              const BodySettings& settings); // body_quad4.cpp and so on
 
@@ -11,9 +11,8 @@ std::unique_ptr<SolidBody> make_solid_body(const Mesh& mesh, const MatrixPattern
                                            const BodySettings& settings)
 {
     check_jacobians(mesh);
-    return with_shape(mesh.type, [&](auto shape) {
-        return make_element_body<decltype(shape)>(mesh, pattern, material, settings);
-    });
+    return with_shape(
+        mesh.type, [&](auto shape) { return make_element_body<decltype(shape)>(mesh, pattern, material, settings); });
 }
 
 } // namespace fem

@@ -20,8 +20,11 @@ Forces Forces::blend(double a, const Forces& other, double b) const
 }
 
 SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings)
-    : pattern_(mesh), body_(make_solid_body(mesh, pattern_, material, settings)), mass_(pattern_.zero()),
-      initial_stiffness_(pattern_.zero()), damping_(pattern_.zero()),
+    : pattern_(mesh),
+      body_(make_solid_body(mesh, pattern_, material, settings)),
+      mass_(pattern_.zero()),
+      initial_stiffness_(pattern_.zero()),
+      damping_(pattern_.zero()),
       gravity_(Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)))
 {
     body_->add_mass(mass_);
@@ -56,7 +59,8 @@ void SolidForces::set_gravity(const std::vector<double>& acceleration)
 Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces) const
 {
     forces.internal.setZero();
-    if (const Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal); inversion.happened())
+    if (const Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal);
+        inversion.happened())
         return inversion;
     if (damped_) forces.damping.noalias() = damping_ * motion.velocity;
     forces.gravity = scale * gravity_;

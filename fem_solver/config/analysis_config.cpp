@@ -17,8 +17,12 @@ base::Table<TimeConfig> time_table()
     return base::Table<TimeConfig>("integration over time")
         .key("scheme", &TimeConfig::scheme, {.doc = "HHT in its full form", .choices = {"hht"}})
         .key("alpha", &TimeConfig::alpha,
-             {.unit = "-", .doc = "0: no numerical damping; negative: damps high frequencies", .min = -1.0 / 3, .max = 0})
-        .key("dt", &TimeConfig::dt, {.unit = "s", .doc = "step length of a run alone; coupled, the fluid sets it", .min = 0})
+             {.unit = "-",
+              .doc = "0: no numerical damping; negative: damps high frequencies",
+              .min = -1.0 / 3,
+              .max = 0})
+        .key("dt", &TimeConfig::dt,
+             {.unit = "s", .doc = "step length of a run alone; coupled, the fluid sets it", .min = 0})
         .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of a run alone; coupling.toml overrules it", .min = 0});
 }
 
@@ -27,9 +31,12 @@ base::Table<NewtonConfig> newton_table()
     return base::Table<NewtonConfig>("the nonlinear iteration of a step")
         .key("tolerance", &NewtonConfig::tolerance,
              {.unit = "-", .doc = "largest nodal residual over the largest nodal force", .max = 1e-2, .positive = true})
-        .key("max_iterations", &NewtonConfig::max_iterations, {.unit = "-", .doc = "in one step", .min = 1, .max = 1000})
+        .key("max_iterations", &NewtonConfig::max_iterations,
+             {.unit = "-", .doc = "in one step", .min = 1, .max = 1000})
         .key("contraction", &NewtonConfig::contraction,
-             {.unit = "-", .doc = "dynamic: a kept factorisation is renewed when the residual falls by less", .max = 1,
+             {.unit = "-",
+              .doc = "dynamic: a kept factorisation is renewed when the residual falls by less",
+              .max = 1,
               .positive = true})
         .key("predictor", &NewtonConfig::predictor,
              {.doc = "dynamic: first iterate of a step", .choices = {"constant_acceleration", "still"}});

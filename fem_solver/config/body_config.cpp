@@ -13,7 +13,8 @@ base::Table<ModelConfig> model_table()
 
 base::Table<MeshConfig> mesh_table()
 {
-    return base::Table<MeshConfig>("the mesh; a block has the groups left, right, bottom, top (3D: back, front) and all")
+    return base::Table<MeshConfig>(
+               "the mesh; a block has the groups left, right, bottom, top (3D: back, front) and all")
         .key("kind", &MeshConfig::kind, {.doc = "block: rectangle or box cut into equal cells", .choices = {"block"}})
         .key("low", &MeshConfig::low, {.unit = "m", .doc = "lower corner", .required = true})
         .key("high", &MeshConfig::high, {.unit = "m", .doc = "upper corner", .required = true})
@@ -55,7 +56,8 @@ base::Table<DampingConfig> damping_table()
 {
     return base::Table<DampingConfig>("viscous damping C = stiffness K + mass M, K of the undeformed body")
         .key("stiffness", &DampingConfig::stiffness, {.unit = "s", .doc = "damps high frequencies", .min = 0})
-        .key("mass", &DampingConfig::mass, {.unit = "1/s", .doc = "damps low frequencies, drags on rigid motion", .min = 0});
+        .key("mass", &DampingConfig::mass,
+             {.unit = "1/s", .doc = "damps low frequencies, drags on rigid motion", .min = 0});
 }
 
 } // namespace fem

@@ -14,14 +14,16 @@ base::Table<LoadConfig> load_table()
 {
     return base::Table<LoadConfig>("a load on a group of faces, or on a node")
         .key("kind", &LoadConfig::kind,
-             {.doc = "pressure: normal to the faces, positive in compression; traction: force per area in a fixed direction; "
+             {.doc = "pressure: normal to the faces, positive in compression; traction: force per area in a fixed "
+                     "direction; "
                      "nodal_force: on the node nearest to a position",
               .required = true,
               .choices = {"pressure", "traction", "nodal_force"}})
         .key("group", &LoadConfig::group, {.doc = "of faces; for pressure and traction"})
         .key("pressure", &LoadConfig::pressure, {.unit = "Pa", .doc = "uniform pressure"})
         .key("distribution", &LoadConfig::distribution,
-             {.doc = "of a pressure. hydrostatic: density gravity (level - Y) below the level, Y the reference height (y in "
+             {.doc = "of a pressure. hydrostatic: density gravity (level - Y) below the level, Y the reference height "
+                     "(y in "
                      "2D, z in 3D), which does not change when the body moves",
               .choices = {"uniform", "hydrostatic"}})
         .key("density", &LoadConfig::density, {.unit = "kg/m^3", .doc = "of the liquid; hydrostatic", .min = 0})
@@ -40,7 +42,8 @@ base::Table<InterfaceConfig> interface_table()
         .key("groups", &InterfaceConfig::groups, {.doc = "groups of faces that the fluid may touch"})
         .key("smoothing_steps", &InterfaceConfig::smoothing_steps,
              {.unit = "-",
-              .doc = "parallel_impedance: the wall's mean acceleration over about so many steps is no news to the fluid and "
+              .doc = "parallel_impedance: the wall's mean acceleration over about so many steps is no news to the "
+                     "fluid and "
                      "is not answered; 0: every change of velocity is",
               .min = 0,
               .max = 10000});

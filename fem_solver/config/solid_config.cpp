@@ -56,8 +56,8 @@ void check_load(const LoadConfig& load, const base::ConfigReader& reader, const 
     }
     base::require_input(!load.group.empty(), reader.where(path), ": a ", load.kind, " needs the group it acts on");
     if (load.kind == "traction") require_size(reader, load.traction, path + ".traction", dimension);
-    base::require_input(load.kind != "pressure" || load.distribution == "uniform" || load.density > 0, reader.where(path),
-                        ": a hydrostatic pressure needs density and level");
+    base::require_input(load.kind != "pressure" || load.distribution == "uniform" || load.density > 0,
+                        reader.where(path), ": a hydrostatic pressure needs density and level");
 }
 
 void check_probes(const SolidConfig& config, const base::ConfigReader& reader)

@@ -27,7 +27,8 @@ std::vector<std::vector<int>> node_graph(const Mesh& mesh)
 } // namespace
 
 MatrixPattern::MatrixPattern(const Mesh& mesh)
-    : dimension_(mesh.dimension), element_dofs_(mesh.nodes_per_element() * mesh.dimension),
+    : dimension_(mesh.dimension),
+      element_dofs_(mesh.nodes_per_element() * mesh.dimension),
       zero_(mesh.nodes() * mesh.dimension, mesh.nodes() * mesh.dimension)
 {
     std::vector<Eigen::Triplet<double>> entries;

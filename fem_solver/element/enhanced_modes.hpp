@@ -19,7 +19,7 @@ namespace fem {
 ///
 /// \param xi point in the reference element. \param jacobian_0 dX/dxi at the centre. \param ratio j_0 / j at xi.
 /// \return D x D, column i is G_i [1/m].
-template <int D>
+template<int D>
 Eigen::Matrix<double, D, D> enhanced_gradients(const Eigen::Matrix<double, D, 1>& xi,
                                                const Eigen::Matrix<double, D, D>& jacobian_0, double ratio)
 {

@@ -10,8 +10,7 @@
 namespace fem {
 
 /// A point of a quadrature rule on [-1, 1]^D and its weight.
-template <int D>
-struct GaussPoint {
+template<int D> struct GaussPoint {
     Eigen::Matrix<double, D, 1> xi;
     double weight;
 };
@@ -29,8 +28,7 @@ inline std::vector<GaussPoint<1>> gauss_line(int n)
 }
 
 /// Tensor product of the Gauss rule with n points per direction, first coordinate fastest.
-template <int D>
-std::vector<GaussPoint<D>> gauss_points(int n)
+template<int D> std::vector<GaussPoint<D>> gauss_points(int n)
 {
     const auto line = gauss_line(n);
     std::vector<GaussPoint<D>> points;

@@ -61,7 +61,7 @@ struct Hexa20 {
     static constexpr int mass_gauss = 3;
     static constexpr bool linear = false;
     static constexpr std::array<std::array<int, 3>, 20> corners{
-        {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
+        {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {1, 1, 1},
          {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {-1, -1, 0}, {1, -1, 0},
          {1, 1, 0},    {-1, 1, 0},  {0, -1, 1}, {1, 0, 1},   {0, 1, 1},   {-1, 0, 1}}};
     static constexpr std::array<std::array<int, 8>, 6> faces{{{0, 3, 2, 1, 11, 10, 9, 8},

@@ -71,9 +71,12 @@ struct Quad8 {
         Eigen::Matrix<double, 1, 8> n;
         for (int a = 0; a < nodes; ++a) {
             const double sx = corners[a][0] * xi[0], sy = corners[a][1] * xi[1];
-            if (corners[a][0] == 0) n[a] = 0.5 * (1 - xi[0] * xi[0]) * (1 + sy);
-            else if (corners[a][1] == 0) n[a] = 0.5 * (1 + sx) * (1 - xi[1] * xi[1]);
-            else n[a] = 0.25 * (1 + sx) * (1 + sy) * (sx + sy - 1);
+            if (corners[a][0] == 0)
+                n[a] = 0.5 * (1 - xi[0] * xi[0]) * (1 + sy);
+            else if (corners[a][1] == 0)
+                n[a] = 0.5 * (1 + sx) * (1 - xi[1] * xi[1]);
+            else
+                n[a] = 0.25 * (1 + sx) * (1 + sy) * (sx + sy - 1);
         }
         return n;
     }
@@ -83,9 +86,12 @@ struct Quad8 {
         for (int a = 0; a < nodes; ++a) {
             const auto [x, y] = corners[a];
             const double sx = x * xi[0], sy = y * xi[1];
-            if (x == 0) g.col(a) = Eigen::Vector2d(-xi[0] * (1 + sy), 0.5 * y * (1 - xi[0] * xi[0]));
-            else if (y == 0) g.col(a) = Eigen::Vector2d(0.5 * x * (1 - xi[1] * xi[1]), -xi[1] * (1 + sx));
-            else g.col(a) = Eigen::Vector2d(0.25 * x * (1 + sy) * (2 * sx + sy), 0.25 * y * (1 + sx) * (sx + 2 * sy));
+            if (x == 0)
+                g.col(a) = Eigen::Vector2d(-xi[0] * (1 + sy), 0.5 * y * (1 - xi[0] * xi[0]));
+            else if (y == 0)
+                g.col(a) = Eigen::Vector2d(0.5 * x * (1 - xi[1] * xi[1]), -xi[1] * (1 + sx));
+            else
+                g.col(a) = Eigen::Vector2d(0.25 * x * (1 + sy) * (2 * sx + sy), 0.25 * y * (1 + sx) * (sx + 2 * sy));
         }
         return g;
     }

@@ -6,8 +6,7 @@ namespace fem {
 FluidLink::FluidLink(coupler::Participant& participant, const coupler::InterfaceSettings& settings,
                      const WetBoundary& boundary, int acceleration_steps)
     : boundary_(&boundary), interface_(participant, settings, boundary.surface()), filter_(acceleration_steps)
-{
-}
+{}
 
 coupler::Window FluidLink::receive() { return interface_.receive(load_, fluid_); }
 

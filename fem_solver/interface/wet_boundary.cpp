@@ -37,8 +37,7 @@ coupler::WetSurface WetBoundary::surface() const
     for (const auto& facet : facets_) {
         std::array<int, 4> local{-1, -1, -1, -1};
         for (int a = 0; a < 4; ++a)
-            if (facet[a] >= 0)
-                local[a] = static_cast<int>(std::ranges::lower_bound(nodes_, facet[a]) - nodes_.begin());
+            if (facet[a] >= 0) local[a] = static_cast<int>(std::ranges::lower_bound(nodes_, facet[a]) - nodes_.begin());
         surface.facet_ids.push_back(std::ssize(surface.facet_ids));
         surface.facet_nodes.push_back(local);
     }

@@ -10,10 +10,8 @@ namespace fem {
 /// A material is a small struct with three pure functions of the deformation gradient F = I + du/dX:
 /// energy(F) [J/m^3], stress(F) = first Piola-Kirchhoff stress P [Pa], tangent(F) = dP/dF [Pa] as a D^2 x D^2 matrix
 /// on F's entries in column order. D = 2 means plane strain: F_33 = 1.
-template <int D>
-using Tensor = Eigen::Matrix<double, D, D>;
-template <int D>
-using Tangent = Eigen::Matrix<double, D * D, D * D>;
+template<int D> using Tensor = Eigen::Matrix<double, D, D>;
+template<int D> using Tangent = Eigen::Matrix<double, D * D, D * D>;
 
 /// Hooke's law with the small strain eps = sym(F) - I: nothing tells displaced from undisplaced positions.
 ///
@@ -22,34 +20,30 @@ struct SmallElastic {
     static constexpr bool finite = false;
     Lame lame;
 
-    template <int D>
-    double energy(const Tensor<D>& f) const
+    template<int D> double energy(const Tensor<D>& f) const
     {
         const Tensor<D> e = strain<D>(f);
         return 0.5 * lame.lambda * e.trace() * e.trace() + lame.mu * e.squaredNorm();
     }
-    template <int D>
-    Tensor<D> stress(const Tensor<D>& f) const
+    template<int D> Tensor<D> stress(const Tensor<D>& f) const
     {
         const Tensor<D> e = strain<D>(f);
         return lame.lambda * e.trace() * Tensor<D>::Identity() + 2 * lame.mu * e;
     }
-    template <int D>
-    Tangent<D> tangent(const Tensor<D>&) const
+    template<int D> Tangent<D> tangent(const Tensor<D>&) const
     {
         Tangent<D> a;
         for (int l = 0; l < D; ++l)
             for (int k = 0; k < D; ++k)
                 for (int j = 0; j < D; ++j)
                     for (int i = 0; i < D; ++i)
-                        a(i + D * j, k + D * l) = lame.lambda * (i == j) * (k == l) +
-                                                  lame.mu * ((i == k) * (j == l) + (i == l) * (j == k));
+                        a(i + D * j, k + D * l) =
+                            lame.lambda * (i == j) * (k == l) + lame.mu * ((i == k) * (j == l) + (i == l) * (j == k));
         return a;
     }
 
 private:
-    template <int D>
-    static Tensor<D> strain(const Tensor<D>& f)
+    template<int D> static Tensor<D> strain(const Tensor<D>& f)
     {
         return 0.5 * (f + f.transpose()) - Tensor<D>::Identity();
     }
@@ -64,20 +58,14 @@ struct SaintVenantKirchhoff {
     static constexpr bool finite = true;
     Lame lame;
 
-    template <int D>
-    double energy(const Tensor<D>& f) const
+    template<int D> double energy(const Tensor<D>& f) const
     {
         const Tensor<D> e = strain<D>(f);
         return 0.5 * lame.lambda * e.trace() * e.trace() + lame.mu * e.squaredNorm();
     }
-    template <int D>
-    Tensor<D> stress(const Tensor<D>& f) const
-    {
-        return f * second_stress<D>(f);
-    }
+    template<int D> Tensor<D> stress(const Tensor<D>& f) const { return f * second_stress<D>(f); }
     /// dP_ij/dF_kl = delta_ik S_lj + lambda F_ij F_kl + mu (F_il F_kj + (F F^T)_ik delta_jl)
-    template <int D>
-    Tangent<D> tangent(const Tensor<D>& f) const
+    template<int D> Tangent<D> tangent(const Tensor<D>& f) const
     {
         const Tensor<D> s = second_stress<D>(f), b = f * f.transpose();
         Tangent<D> a;
@@ -91,13 +79,11 @@ struct SaintVenantKirchhoff {
     }
 
 private:
-    template <int D>
-    static Tensor<D> strain(const Tensor<D>& f)
+    template<int D> static Tensor<D> strain(const Tensor<D>& f)
     {
         return 0.5 * (f.transpose() * f - Tensor<D>::Identity());
     }
-    template <int D>
-    Tensor<D> second_stress(const Tensor<D>& f) const
+    template<int D> Tensor<D> second_stress(const Tensor<D>& f) const
     {
         const Tensor<D> e = strain<D>(f);
         return lame.lambda * e.trace() * Tensor<D>::Identity() + 2 * lame.mu * e;

@@ -19,8 +19,7 @@ struct Material {
 /// Cauchy stress of a law [Pa], always 3 x 3; plane strain brings its normal stress across the plane.
 ///
 ///     sigma = P F^T / det F    (finite kinematics),    sigma = P    (small)
-template <class LawType, int D>
-Eigen::Matrix3d cauchy_stress(const LawType& law, const Tensor<D>& f)
+template<class LawType, int D> Eigen::Matrix3d cauchy_stress(const LawType& law, const Tensor<D>& f)
 {
     Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
     full.topLeftCorner<D, D>() = f;

@@ -19,14 +19,12 @@ struct NeoHookean {
     static constexpr bool finite = true;
     Lame lame;
 
-    template <int D>
-    double energy(const Tensor<D>& f) const
+    template<int D> double energy(const Tensor<D>& f) const
     {
         const double j = f.determinant(), i1 = first_invariant<D>(f), r = std::cbrt(j);
         return 0.5 * lame.mu * (i1 / (r * r) - 3) + 0.5 * lame.bulk() * (j - 1) * (j - 1);
     }
-    template <int D>
-    Tensor<D> stress(const Tensor<D>& f) const
+    template<int D> Tensor<D> stress(const Tensor<D>& f) const
     {
         const double j = f.determinant(), i1 = first_invariant<D>(f), r = std::cbrt(j);
         const double shear = lame.mu / (r * r), pressure = lame.bulk() * (j - 1) * j - shear * i1 / 3;
@@ -36,8 +34,7 @@ struct NeoHookean {
     ///
     ///     dP_ij/dF_kl = s delta_ik delta_jl - 2/3 s (F_ij h_kl + h_ij F_kl)
     ///                   + (K (2J-1) J + 2/9 s I1) h_ij h_kl - q h_il h_kj
-    template <int D>
-    Tangent<D> tangent(const Tensor<D>& f) const
+    template<int D> Tangent<D> tangent(const Tensor<D>& f) const
     {
         const double det = f.determinant(), i1 = first_invariant<D>(f), r = std::cbrt(det), bulk = lame.bulk();
         const double s = lame.mu / (r * r), q = bulk * (det - 1) * det - s * i1 / 3;
@@ -55,16 +52,8 @@ struct NeoHookean {
     }
 
 private:
-    template <int D>
-    static double first_invariant(const Tensor<D>& f)
-    {
-        return f.squaredNorm() + (3 - D);
-    }
-    template <int D>
-    static Tensor<D> inverse_transposed(const Tensor<D>& f)
-    {
-        return f.inverse().transpose();
-    }
+    template<int D> static double first_invariant(const Tensor<D>& f) { return f.squaredNorm() + (3 - D); }
+    template<int D> static Tensor<D> inverse_transposed(const Tensor<D>& f) { return f.inverse().transpose(); }
 };
 
 } // namespace fem

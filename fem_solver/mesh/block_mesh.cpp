@@ -28,8 +28,8 @@ void check(const BlockSpec& spec, int dimension)
                         name_of(spec.element), " needs low, high and cells with ", n, " entries each; they have ",
                         spec.low.size(), ", ", spec.high.size(), " and ", spec.cells.size());
     for (std::size_t k = 0; k < n; ++k) {
-        base::require_input(spec.low[k] < spec.high[k], "block: low[", k, "] = ", spec.low[k],
-                            " m must be below high[", k, "] = ", spec.high[k], " m");
+        base::require_input(spec.low[k] < spec.high[k], "block: low[", k, "] = ", spec.low[k], " m must be below high[",
+                            k, "] = ", spec.high[k], " m");
         base::require_input(spec.cells[k] >= 1, "block: cells[", k, "] = ", spec.cells[k], " must be at least 1");
     }
 }
@@ -52,15 +52,14 @@ Lattice number_nodes(const BlockSpec& spec, Mesh& mesh, int step)
                 lattice.node.push_back(carries_node(p, step) ? mesh.nodes() : -1);
                 if (lattice.node.back() < 0) continue;
                 for (int k = 0; k < mesh.dimension; ++k)
-                    mesh.coordinates.push_back(spec.low[k] + (spec.high[k] - spec.low[k]) * p[k] /
-                                                                 (lattice.size[k] - 1));
+                    mesh.coordinates.push_back(spec.low[k] +
+                                               (spec.high[k] - spec.low[k]) * p[k] / (lattice.size[k] - 1));
             }
     return lattice;
 }
 
 /// Which side of the block a face of an element lies on, or -1: all its nodes at the same end of one direction.
-template <class Shape>
-int side_of(int face, const std::array<int, 3>& cell, const std::vector<int>& cells)
+template<class Shape> int side_of(int face, const std::array<int, 3>& cell, const std::vector<int>& cells)
 {
     for (int k = 0; k < Shape::dimension; ++k)
         for (const int end : {-1, 1}) {
@@ -71,7 +70,7 @@ int side_of(int face, const std::array<int, 3>& cell, const std::vector<int>& ce
     return -1;
 }
 
-template <class Shape>
+template<class Shape>
 void add_element(Mesh& mesh, const BlockSpec& spec, const Lattice& lattice, const std::array<int, 3>& cell)
 {
     const int element = mesh.elements();
@@ -89,8 +88,7 @@ void add_element(Mesh& mesh, const BlockSpec& spec, const Lattice& lattice, cons
     }
 }
 
-template <class Shape>
-void fill(Mesh& mesh, const BlockSpec& spec)
+template<class Shape> void fill(Mesh& mesh, const BlockSpec& spec)
 {
     const Lattice lattice = number_nodes(spec, mesh, Shape::linear ? 1 : 2);
     const int layers = Shape::dimension == 3 ? spec.cells[2] : 1;

@@ -11,8 +11,7 @@
 namespace fem {
 namespace {
 
-template <class Groups>
-const auto& find_group(const Groups& groups, const std::string& name)
+template<class Groups> const auto& find_group(const Groups& groups, const std::string& name)
 {
     const auto found = groups.find(name);
     if (found != groups.end()) return found->second;
@@ -21,7 +20,7 @@ const auto& find_group(const Groups& groups, const std::string& name)
     throw base::Error(base::ExitCode::bad_input, "the mesh has no group '" + name + "'; its groups are: " + known);
 }
 
-template <class Shape>
+template<class Shape>
 Eigen::Matrix<double, Shape::dimension, Shape::nodes> element_positions(const Mesh& mesh, int element)
 {
     Eigen::Matrix<double, Shape::dimension, Shape::nodes> x;

@@ -7,10 +7,14 @@ namespace {
 std::string xdmf_name(ElementType type)
 {
     switch (type) {
-    case ElementType::quad4: return "quadrilateral";
-    case ElementType::quad8: return "quadrilateral_8";
-    case ElementType::hexa8: return "hexahedron";
-    default: return "hexahedron_20";
+    case ElementType::quad4:
+        return "quadrilateral";
+    case ElementType::quad8:
+        return "quadrilateral_8";
+    case ElementType::hexa8:
+        return "hexahedron";
+    default:
+        return "hexahedron_20";
     }
 }
 

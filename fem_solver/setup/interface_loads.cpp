@@ -7,7 +7,9 @@ namespace fem {
 
 InterfaceLoads::InterfaceLoads(const Mesh& mesh, const WetBoundary& boundary, SolidForces& forces,
                                const InterfaceLoadSettings& settings)
-    : boundary_(&boundary), settings_(settings), last_velocity_(Eigen::VectorXd::Zero(forces.dofs())),
+    : boundary_(&boundary),
+      settings_(settings),
+      last_velocity_(Eigen::VectorXd::Zero(forces.dofs())),
       smooth_acceleration_(last_velocity_)
 {
     if (settings.averaged) {
@@ -48,8 +50,10 @@ void InterfaceLoads::set(const coupler::SurfaceLoad& load, const Motion& motion,
 
 void InterfaceLoads::set_measured(const coupler::SurfaceLoad& load)
 {
-    if (pressure_) pressure_->set(load.pressure);
-    else nodal_->set(boundary_->spread(load.force));
+    if (pressure_)
+        pressure_->set(load.pressure);
+    else
+        nodal_->set(boundary_->spread(load.force));
 }
 
 /// The mean acceleration of the step that ended now, low-passed.
@@ -74,7 +78,8 @@ std::vector<char> InterfaceLoads::wet_facets(const coupler::SurfaceLoad& load) c
     const Eigen::Index d = std::ssize(load.force) / std::ssize(boundary_->surface_nodes());
     const Eigen::VectorXd& force = nodal_->force();
     for (std::size_t f = 0; f < facets.size(); ++f)
-        wet[f] = std::ranges::all_of(facets[f], [&](int node) { return node < 0 || !force.segment(node * d, d).isZero(0); });
+        wet[f] =
+            std::ranges::all_of(facets[f], [&](int node) { return node < 0 || !force.segment(node * d, d).isZero(0); });
     return wet;
 }
 

@@ -10,9 +10,9 @@ namespace fem {
 
 /// How the fluid's load acts on the solid.
 struct InterfaceLoadSettings {
-    bool averaged = false;        ///< pressure on the current facets instead of nodal forces
-    double impedance_factor = 0;  ///< share of rho c answered within the step; 0: none
-    int smoothing_steps = 0;      ///< steps over which the wall's known acceleration is averaged; 0: not taken off
+    bool averaged = false;       ///< pressure on the current facets instead of nodal forces
+    double impedance_factor = 0; ///< share of rho c answered within the step; 0: none
+    int smoothing_steps = 0;     ///< steps over which the wall's known acceleration is averaged; 0: not taken off
 };
 
 /// Turns what the fluid sends into loads of the solid.

@@ -27,7 +27,8 @@ PressureField pressure_field(const LoadConfig& load, int dimension)
 
 Mesh make_mesh(const MeshConfig& config)
 {
-    return make_block({element_type(config.element), config.low, config.high, {config.cells.begin(), config.cells.end()}});
+    return make_block(
+        {element_type(config.element), config.low, config.high, {config.cells.begin(), config.cells.end()}});
 }
 
 Material make_material(const MaterialConfig& config)
@@ -39,7 +40,8 @@ Material make_material(const MaterialConfig& config)
 }
 
 SolidModel::SolidModel(const SolidConfig& config)
-    : mesh_(make_mesh(config.mesh)), supports_(mesh_),
+    : mesh_(make_mesh(config.mesh)),
+      supports_(mesh_),
       forces_(mesh_, make_material(config.material),
               {config.mesh.integration == "full", config.mesh.formulation == "enhanced"})
 {

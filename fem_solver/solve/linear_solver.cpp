@@ -23,9 +23,8 @@ std::vector<int> breadth_first(const Matrix& matrix, int start, const std::vecto
                 seen[entry.row()] = 1;
                 order.push_back(static_cast<int>(entry.row()));
             }
-        std::sort(order.begin() + first, order.end(), [&](int a, int b) {
-            return degree(a) != degree(b) ? degree(a) < degree(b) : a < b;
-        });
+        std::sort(order.begin() + first, order.end(),
+                  [&](int a, int b) { return degree(a) != degree(b) ? degree(a) < degree(b) : a < b; });
     }
     return order;
 }

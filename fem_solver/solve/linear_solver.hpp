@@ -34,7 +34,7 @@ private:
     int upper_ = 0;             // bandwidth above the diagonal that pivoting has left
     std::vector<int> position_; // new number of an unknown
     std::vector<int> pivots_;
-    std::vector<double> band_;  // entry (i, j) at column(j)[i - j]
+    std::vector<double> band_; // entry (i, j) at column(j)[i - j]
     mutable std::vector<double> work_;
     long factorisations_ = 0;
 };

@@ -9,9 +9,9 @@ namespace fem {
 
 /// When Newton's iteration has converged, when it needs a new factorisation, and when it has failed.
 struct NewtonSettings {
-    double tolerance = 1e-9;   ///< largest residual over the largest nodal force present
-    int max_iterations = 25;   ///< in one step
-    double contraction = 0.1;  ///< a kept factorisation is renewed when the residual falls by less than this factor
+    double tolerance = 1e-9;  ///< largest residual over the largest nodal force present
+    int max_iterations = 25;  ///< in one step
+    double contraction = 0.1; ///< a kept factorisation is renewed when the residual falls by less than this factor
 };
 
 /// Watches the residuals of one step.

@@ -19,8 +19,7 @@ class EnergyLedger {
 public:
     EnergyLedger(const SolidForces& forces, const Supports& supports, const Hht& hht)
         : forces_(&forces), supports_(&supports), hht_(hht)
-    {
-    }
+    {}
 
     /// Opens the books with the forces of the initial state, from which the initial acceleration was solved.
     void start(const Motion& motion, const Forces& forces);

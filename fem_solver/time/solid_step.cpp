@@ -17,10 +17,16 @@ constexpr double same_dt = 0.02;
 
 SolidStep::SolidStep(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const Hht& hht,
                      const NewtonSettings& newton, Predictor predictor)
-    : mesh_(mesh), model_(forces), supports_(supports), hht_(hht), newton_(newton), predictor_(predictor),
-      ledger_(forces, supports, hht), forces_n_(Forces::zero(forces.dofs())), forces_np1_(forces_n_)
-{
-}
+    : mesh_(mesh),
+      model_(forces),
+      supports_(supports),
+      hht_(hht),
+      newton_(newton),
+      predictor_(predictor),
+      ledger_(forces, supports, hht),
+      forces_n_(Forces::zero(forces.dofs())),
+      forces_np1_(forces_n_)
+{}
 
 void SolidStep::start(Motion& motion)
 {
@@ -71,8 +77,7 @@ void SolidStep::predict(Motion& motion, double dt)
 /// M a_1 + (1 + alpha) g_1 - alpha g_0
 Eigen::VectorXd SolidStep::residual(const Eigen::VectorXd& inertia) const
 {
-    return inertia + (1 + hht_.alpha()) * forces_np1_.unbalanced() -
-           hht_.alpha() * forces_n_.unbalanced();
+    return inertia + (1 + hht_.alpha()) * forces_np1_.unbalanced() - hht_.alpha() * forces_n_.unbalanced();
 }
 
 /// The largest nodal force of the iterate, which residuals are measured by.
@@ -85,8 +90,8 @@ double SolidStep::force_scale(const Eigen::VectorXd& inertia) const
 
 void SolidStep::factorise(const Motion& motion, double dt)
 {
-    Matrix matrix = model_.tangent(
-        motion, {hht_.acceleration_slope(dt), 1 + hht_.alpha(), hht_.velocity_slope(dt), 1.0});
+    Matrix matrix =
+        model_.tangent(motion, {hht_.acceleration_slope(dt), 1 + hht_.alpha(), hht_.velocity_slope(dt), 1.0});
     supports_.clear(matrix, matrix.diagonal().mean());
     solver_.factorise(matrix);
     factorised_dt_ = dt;

@@ -15,8 +15,7 @@ constexpr double unheld = 1e6;
 StaticSolution::StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
                                const NewtonSettings& newton)
     : mesh_(mesh), model_(forces), supports_(supports), newton_(newton), forces_now_(Forces::zero(forces.dofs()))
-{
-}
+{}
 
 void StaticSolution::solve(Motion& motion, int load_steps, const Observer& observer)
 {

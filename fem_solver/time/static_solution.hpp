@@ -14,8 +14,7 @@ namespace fem {
 class StaticSolution {
 public:
     /// All references outlive the object.
-    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                   const NewtonSettings& newton);
+    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const NewtonSettings& newton);
 
     /// Called after each load step with the load factor.
     using Observer = std::function<void(double factor)>;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/setup/solid_model.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace fem;
+
+const std::string valid = R"([model]
+dimension = 2
+[mesh]
+low = [0.0, 0.0]
+high = [1.0, 2.0]
+cells = [2, 4]
+element = "quad4"
+[material.rubber]
+law = "neo_hookean"
+E = 1e6
+nu = 0.3
+density = 1000
+[[supports]]
+group = "bottom"
+fix = ["x", "y"]
+[[loads]]
+kind = "traction"
+group = "top"
+traction = [3.0, 0.0]
+)";
+
+SolidConfig read(const std::string& text)
+{
+    base::ConfigReader reader(base::ConfigDocument::parse(text, "solid.toml"));
+    return read_solid_config(reader);
+}
+
+std::string replaced(const std::string& from, const std::string& to)
+{
+    std::string text = valid;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+void expect_error(const std::string& text, const std::string& part)
+{
+    try {
+        SolidModel model(read(text));
+        ADD_FAILURE() << "no error; wanted: " << part;
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::bad_input);
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+}
+
+TEST(SolidConfig, BecomesAModel)
+{
+    const SolidConfig config = read(valid);
+    EXPECT_EQ(config.material_name, "rubber");
+    EXPECT_EQ(config.time.alpha, -0.05);
+    const SolidModel model(config);
+    EXPECT_EQ(model.mesh().nodes(), 15);
+    Forces forces = Forces::zero(model.forces().dofs());
+    model.forces().evaluate(Motion::at_rest(model.forces().dofs()), 1, forces);
+    EXPECT_NEAR(forces.loads.sum(), 3.0, 1e-14);
+    EXPECT_TRUE(model.supports().fixed(0));
+    EXPECT_FALSE(model.supports().fixed(29));
+}
+
+TEST(SolidConfig, DescribesItself)
+{
+    base::ConfigReader reader = base::ConfigReader::describe();
+    read_solid_config(reader);
+    EXPECT_NE(reader.help().find("stiffness"), std::string::npos);
+}
+
+TEST(SolidConfig, NamesWhatIsWrong)
+{
+    expect_error(replaced("nu = 0.3", "nu = 0.5"), "nu");
+    expect_error(replaced("E = 1e6", "E = -1e6"), "E");
+    expect_error(replaced("cells = [2, 4]", "cells = [2.5, 4]"), "no number of cells");
+    expect_error(replaced("high = [1.0, 2.0]", "high = [1.0, -2.0]"), "is not below high");
+    expect_error(replaced("element = \"quad4\"", "element = \"hexa8\""), "does not belong");
+    expect_error(replaced("group = \"bottom\"", "group = \"botom\""), "no group 'botom'");
+    expect_error(replaced("density", "densty"), "densty");
+    expect_error(replaced("law = \"neo_hookean\"", "law = \"neo_hookean\"\nkinematics = \"small\""),
+                 "small kinematics");
+    expect_error(replaced("traction = [3.0, 0.0]", "traction = [3.0]"), "needs 2");
+    expect_error(replaced("[material.rubber]", "[material.other]\nE = 1\nnu = 0\ndensity = 1\n[material.rubber]"),
+                 "one table [material.NAME]");
+}
+
+} // namespace

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/time/solid_step.hpp"
+#include "tests/fem_solver/support/gate.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace fem;
+using namespace fem_test;
+
+/// The first three natural frequencies [Hz], by subspace iteration on K x = w^2 M x.
+Eigen::Vector3d frequencies(const Gate& gate)
+{
+    Matrix stiffness = gate.forces.initial_stiffness(), mass = gate.forces.mass();
+    gate.supports.clear(stiffness, stiffness.diagonal().mean());
+    gate.supports.clear(mass, 0);
+    LinearSolver solver;
+    solver.factorise(stiffness);
+    Eigen::MatrixXd x = Eigen::MatrixXd::Random(mass.rows(), 8);
+    Eigen::VectorXd values;
+    for (int i = 0; i < 12; ++i) {
+        for (int j = 0; j < x.cols(); ++j) x.col(j) = solver.solve(mass * x.col(j));
+        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(x.transpose() * (stiffness * x),
+                                                                        x.transpose() * (mass * x));
+        x *= small.eigenvectors();
+        values = small.eigenvalues();
+    }
+    return values.head(3).cwiseSqrt() / (2 * M_PI);
+}
+
+TEST(GateModes, QuadraticElements)
+{
+    const Eigen::Vector3d f = frequencies(Gate(ElementType::quad8, rubber()));
+    EXPECT_NEAR(f[0] / 14.740, 1, 0.01);
+    EXPECT_NEAR(f[1] / 90.386, 1, 0.01);
+    EXPECT_NEAR(f[2] / 244.997, 1, 0.01);
+    EXPECT_NEAR(frequencies(Gate(ElementType::quad8, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.01);
+}
+
+TEST(GateModes, LinearElementsWithAndWithoutTheirCure)
+{
+    const Eigen::Vector3d f = frequencies(Gate(ElementType::quad4, rubber()));
+    EXPECT_NEAR(f[0] / 14.740, 1, 0.02);
+    EXPECT_NEAR(f[1] / 90.386, 1, 0.02);
+    EXPECT_NEAR(f[2] / 244.997, 1, 0.02);
+    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.02);
+    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499), {false, false}))[0], 47.2, 0.5); // locked
+}
+
+/// The water's pressure switched on at t = 0. References: a converged finite element solution.
+TEST(GateSudden, FollowsTheConvergedMotion)
+{
+    Gate gate(ElementType::quad8, rubber());
+    gate.add_water();
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {});
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    step.start(motion);
+    const double dt = 2e-4;
+    double peak = 0, lowest = 1, lowest_time = 0;
+    for (int i = 1; i <= 350; ++i) {
+        step.advance(motion, dt);
+        const double ux = 1e3 * motion.displacement[gate.tip];
+        if (i == 100) EXPECT_NEAR(ux, 44.75, 0.2);
+        if (i == 200) EXPECT_NEAR(ux, 56.8, 0.3);
+        peak = std::max(peak, ux);
+        if (i > 250 && ux < lowest) {
+            lowest = ux;
+            lowest_time = i * dt;
+        }
+    }
+    EXPECT_NEAR(peak, 60.6, 0.3);
+    EXPECT_NEAR(lowest_time, 0.0665, 0.0005);
+    EXPECT_LT(std::abs(step.energies().balance_error), 1e-8 * step.energies().numerical_dissipation + 1e-8);
+}
+
+TEST(GateSudden, AFailedStepNamesNodeAndStep)
+{
+    Gate gate(ElementType::quad8, rubber());
+    gate.add_water();
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-9, 1, 0.1}); // one iteration is too few
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    step.start(motion);
+    try {
+        for (int i = 0; i < 50; ++i) step.advance(motion, 1e-3);
+        FAIL() << "no error";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::numerical_failure);
+        const std::string what = error.what();
+        EXPECT_NE(what.find("the solid's step"), std::string::npos) << what;
+        EXPECT_NE(what.find("reference position (0.1"), std::string::npos) << what;
+    }
+}
+
+} // namespace

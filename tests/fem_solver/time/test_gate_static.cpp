@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/time/static_solution.hpp"
+#include "tests/fem_solver/support/gate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace fem;
+using namespace fem_test;
+
+struct Rest {
+    double ux, uy, reaction_x, reaction_y, strain_energy;
+    std::vector<double> residuals;
+};
+
+Rest settle(Gate& gate, int load_steps = 4)
+{
+    gate.add_water();
+    StaticSolution solution(gate.mesh, gate.forces, gate.supports, {1e-11, 25, 0.1});
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    solution.solve(motion, load_steps, [](double) {});
+    const auto reaction = gate.supports.reaction("top", solution.reaction());
+    return {motion.displacement[gate.tip],
+            motion.displacement[gate.tip + 1],
+            reaction[0],
+            reaction[1],
+            gate.forces.strain_energy(motion),
+            solution.residuals()};
+}
+
+void expect_tip(const Rest& rest, double ux_mm, double uy_mm, double tolerance)
+{
+    EXPECT_NEAR(1e3 * rest.ux / ux_mm, 1, tolerance);
+    EXPECT_NEAR(1e3 * rest.uy / uy_mm, 1, tolerance);
+}
+
+// References: converged plane-strain solutions of two other finite element codes.
+TEST(GateStatic, QuadraticElementsOfNeoHookeanRubber)
+{
+    Gate gate(ElementType::quad8, rubber(), {}, {6, 80});
+    const Rest rest = settle(gate);
+    expect_tip(rest, 35.934, 10.132, 0.003);
+    EXPECT_NEAR(rest.reaction_x / -67.88, 1, 0.003);
+    EXPECT_NEAR(rest.reaction_y / -38.60, 1, 0.003);
+    EXPECT_NEAR(rest.strain_energy / 0.6836, 1, 0.003);
+}
+
+TEST(GateStatic, TheGatesOwnMeshOfFourByForty)
+{
+    Gate gate(ElementType::quad8, rubber());
+    const Rest rest = settle(gate);
+    EXPECT_NEAR(1e3 * rest.ux / 35.934, 1, 0.003);
+    EXPECT_NEAR(1e3 * rest.uy / 10.132, 1, 0.004);
+}
+
+TEST(GateStatic, SaintVenantKirchhoff)
+{
+    Gate gate(ElementType::quad8, SaintVenantKirchhoff{Lame::from_young(12e6, 0.4)}, {}, {6, 80});
+    expect_tip(settle(gate), 35.969, 10.211, 0.003);
+}
+
+TEST(GateStatic, SofterRubber)
+{
+    Gate gate(ElementType::quad8, rubber(10e6), {}, {6, 80});
+    expect_tip(settle(gate), 41.942, 14.295, 0.003);
+}
+
+TEST(GateStatic, LinearElementsWithTheirCure)
+{
+    Gate gate(ElementType::quad4, rubber());
+    expect_tip(settle(gate), 35.934, 10.132, 0.02);
+}
+
+TEST(GateStatic, LinearElementsWithoutItLock)
+{
+    Gate gate(ElementType::quad4, rubber(), {false, false});
+    EXPECT_LT(settle(gate).ux, 0.93 * 0.035934);
+}
+
+TEST(GateStatic, NewtonConvergesQuadratically)
+{
+    Gate gate(ElementType::quad8, rubber());
+    const auto r = settle(gate).residuals;
+    ASSERT_GE(r.size(), 4u);
+    const auto n = r.size();
+    EXPECT_LT(r[n - 2], 1e-3 * r[n - 3]);
+    EXPECT_LT(r[n - 1], 1e-3 * r[n - 2]);
+}
+
+TEST(GateStatic, ABodyThatNothingHoldsIsReported)
+{
+    Gate gate(ElementType::quad8, rubber());
+    gate.add_water();
+    const Supports none(gate.mesh);
+    StaticSolution solution(gate.mesh, gate.forces, none, {});
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    try {
+        solution.solve(motion, 1, [](double) {});
+        FAIL() << "no error";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::numerical_failure);
+        EXPECT_NE(std::string(error.what()).find("supports"), std::string::npos) << error.what();
+    }
+}
+
+} // namespace

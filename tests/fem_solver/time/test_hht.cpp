@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/time/hht.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace fem;
+
+/// u'' + w^2 u = 0 from u = 1 at rest: displacements after each of `steps` steps.
+std::vector<double> oscillate(double alpha, double w_dt, int steps)
+{
+    const Hht hht(alpha);
+    Motion motion = Motion::at_rest(1);
+    motion.displacement[0] = 1;
+    motion.acceleration[0] = -1; // w = 1, so dt = w dt
+    double force_n = 1;
+    std::vector<double> history;
+    for (int i = 0; i < steps; ++i) {
+        hht.predict(motion, w_dt);
+        const auto residual = [&] {
+            return motion.acceleration[0] + (1 + alpha) * motion.displacement[0] - alpha * force_n;
+        };
+        const double tangent = hht.acceleration_slope(w_dt) + 1 + alpha;
+        hht.correct(motion, Eigen::VectorXd::Constant(1, -residual() / tangent), 1, w_dt);
+        EXPECT_NEAR(residual(), 0, 1e-14);
+        force_n = motion.displacement[0];
+        history.push_back(force_n);
+    }
+    return history;
+}
+
+TEST(Hht, RecurrenceOfOneDegreeOfFreedom)
+{
+    const auto u = oscillate(-0.1, 0.5, 3);
+    EXPECT_NEAR(u[0], 0.882965650418398, 1e-14);
+    EXPECT_NEAR(u[1], 0.559811409716339, 1e-14);
+    EXPECT_NEAR(u[2], 0.106599826414678, 1e-14);
+}
+
+TEST(Hht, BothPredictionsLeadToTheSameStep)
+{
+    const Hht hht(-0.05);
+    const double dt = 0.3;
+    Motion start{Eigen::VectorXd::Constant(1, 0.4), Eigen::VectorXd::Constant(1, -0.7),
+                 Eigen::VectorXd::Constant(1, 1.1)};
+    Motion moving = start, still = start;
+    hht.predict(moving, dt);
+    hht.predict_still(still, dt);
+    hht.correct(moving, still.displacement - moving.displacement, 1, dt);
+    EXPECT_NEAR(moving.velocity[0], still.velocity[0], 1e-14);
+    EXPECT_NEAR(moving.acceleration[0], still.acceleration[0], 1e-13);
+}
+
+/// Error after ten seconds falls by four when the step is halved.
+TEST(Hht, IsSecondOrder)
+{
+    for (const double alpha : {0.0, -0.05, -0.3}) {
+        std::vector<double> errors;
+        for (const int steps : {200, 400, 800})
+            errors.push_back(std::abs(oscillate(alpha, 10.0 / steps, steps).back() - std::cos(10.0)));
+        for (int i = 0; i < 2; ++i) EXPECT_NEAR(std::log2(errors[i] / errors[i + 1]), 2, 0.06) << "alpha " << alpha;
+    }
+}
+
+/// Amplitude after many periods against the asymptotic damping ratio -alpha (1 + alpha)^2 (w dt)^3 / 8.
+TEST(Hht, DampsAsItsExpansionSays)
+{
+    const double alpha = -0.1, w_dt = 0.1;
+    const int steps = 20000;
+    const auto u = oscillate(alpha, w_dt, steps);
+    double early = 0, late = 0;
+    for (int i = 0; i < 200; ++i) {
+        early = std::max(early, std::abs(u[i]));
+        late = std::max(late, std::abs(u[steps - 200 + i]));
+    }
+    const double ratio = std::log(early / late) / (w_dt * (steps - 200));
+    EXPECT_NEAR(ratio / (-alpha * (1 + alpha) * (1 + alpha) * std::pow(w_dt, 3) / 8), 1, 0.05);
+}
+
+} // namespace
