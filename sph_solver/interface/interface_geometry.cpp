@@ -37,7 +37,8 @@ template<class Visit> void for_each_corner(const coupler::FacetBatch& batch, Vis
 
 template<int D> void set_interface_motion(Walls<D>& walls, const coupler::FacetBatch& batch)
 {
-    base::require_input(batch.dimension == D, "the solid's surface has ", batch.dimension, " dimensions, the fluid ", D);
+    base::require_input(batch.dimension == D, "the solid's surface has ", batch.dimension, " dimensions, the fluid ",
+                        D);
     const VertexMotion<D> motion{vectors<D>(batch.motion.position), vectors<D>(batch.motion.velocity),
                                  vectors<D>(batch.motion.acceleration)};
     walls.set_moving("interface", motion, split_facets<D>(batch.facet_nodes));

@@ -3,8 +3,8 @@
 
 #include "sph_solver/walls/images.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
+#include <Eigen/LU>
 
 namespace sph {
 namespace {
@@ -93,7 +93,8 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
         const WallContact& contact = walls.contacts().contacts[c];
         const auto i = static_cast<std::size_t>(contact.particle);
         double work = 0;
-        for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end); ++p) {
+        for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end);
+             ++p) {
             const double part = -forces.on_wall[p].dot(planes[p].velocity);
             (walls.facets().moves(planes[p].facet) ? power.by_interface : power.by_walls).add(weight * part);
             work += part;

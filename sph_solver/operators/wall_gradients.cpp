@@ -19,16 +19,17 @@ void accumulate_wall_gradients(GradientField<D>& sums, const Walls<D>& walls, co
         GradientSums<D>& sum = sums[contact.row];
         finder.for_each(contact, walls.contacts().planes, particles.position, neighbours.of(contact.row),
                         [&](const Image<D>& image) {
-            const auto j = static_cast<std::size_t>(image.source);
-            Vec<D> velocity = particles.velocity[j];
-            double density = particles.density[j];
-            mirror_values(velocity, density, image, particles.sound_speed[j], walls.settings());
-            const double r = std::sqrt(image.squared_distance);
-            const Vec<D> weighted = (image.weight * particles.volume[j] * model.kernel.slope(r) / r) * image.x_ij;
-            sum.moment += image.x_ij * weighted.transpose();
-            sum.velocity += (velocity - v_i) * weighted.transpose();
-            sum.density += (density - rho_i) * weighted;
-        });
+                            const auto j = static_cast<std::size_t>(image.source);
+                            Vec<D> velocity = particles.velocity[j];
+                            double density = particles.density[j];
+                            mirror_values(velocity, density, image, particles.sound_speed[j], walls.settings());
+                            const double r = std::sqrt(image.squared_distance);
+                            const Vec<D> weighted =
+                                (image.weight * particles.volume[j] * model.kernel.slope(r) / r) * image.x_ij;
+                            sum.moment += image.x_ij * weighted.transpose();
+                            sum.velocity += (velocity - v_i) * weighted.transpose();
+                            sum.density += (density - rho_i) * weighted;
+                        });
     }
 }
 

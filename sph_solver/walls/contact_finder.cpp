@@ -7,21 +7,21 @@
 namespace sph {
 
 namespace {
-constexpr double touch_tolerance = 0.05;     // [dx]
-constexpr double deepest_inside = 0.5;       // [dx] deeper than this, a particle is on the other side of the wall
-constexpr double cos_flat = 0.99985;         // facets within 1 degree of the plane need no cut
-constexpr double cos_opposite = -0.5;        // faces turned away further are the far side of a plate
+constexpr double touch_tolerance = 0.05; // [dx]
+constexpr double deepest_inside = 0.5;   // [dx] deeper than this, a particle is on the other side of the wall
+constexpr double cos_flat = 0.99985;     // facets within 1 degree of the plane need no cut
+constexpr double cos_opposite = -0.5;    // faces turned away further are the far side of a plate
 } // namespace
 
 template<int D>
 ContactFinder<D>::ContactFinder(const WallFacets<D>& facets, const Touching<D>& touching,
-                                const WallSettings<D>& settings) :
-    facets_(facets),
-    touching_(touching),
-    support_(settings.support),
-    spacing_(settings.spacing),
-    tolerance_(touch_tolerance * settings.spacing),
-    cos_sheet_(std::cos(settings.sheet_angle * std::numbers::pi / 180.0))
+                                const WallSettings<D>& settings)
+    : facets_(facets),
+      touching_(touching),
+      support_(settings.support),
+      spacing_(settings.spacing),
+      tolerance_(touch_tolerance * settings.spacing),
+      cos_sheet_(std::cos(settings.sheet_angle * std::numbers::pi / 180.0))
 {}
 
 template<int D>

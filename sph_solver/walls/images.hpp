@@ -13,13 +13,13 @@ namespace sph {
 
 /// One image of particle j as particle i sees it: j mirrored in path[0], then in path[1], ...
 template<int D> struct Image {
-    int source = 0;                                ///< j, or i itself
-    Vec<D> x_ij = Vec<D>::Zero();                  ///< from i to the image [m]
-    double squared_distance = 0;                   ///< |x_ij|^2 [m^2]
-    double weight = 1;                             ///< share of the source's volume that the image has, in (0, 1]
-    int order = 0;                                 ///< number of mirrorings, 1 to 3
+    int source = 0;               ///< j, or i itself
+    Vec<D> x_ij = Vec<D>::Zero(); ///< from i to the image [m]
+    double squared_distance = 0;  ///< |x_ij|^2 [m^2]
+    double weight = 1;            ///< share of the source's volume that the image has, in (0, 1]
+    int order = 0;                ///< number of mirrorings, 1 to 3
     std::array<const MirrorPlane<D>*, 3> path{};
-    std::array<double, 3> height{};                ///< over path[k] before the k-th mirroring [m], positive
+    std::array<double, 3> height{}; ///< over path[k] before the k-th mirroring [m], positive
 };
 
 /// Finds all images that a particle sees, without storing them.
@@ -31,11 +31,11 @@ template<int D> struct Image {
 /// within a quarter of dx beyond a cut of P.
 template<int D> class ImageFinder {
 public:
-    explicit ImageFinder(const WallSettings<D>& settings) :
-        squared_support_(settings.support * settings.support),
-        blend_(0.15 * settings.spacing),
-        fade_(0.25 * settings.spacing),
-        least_height_(0.5 * settings.image_distance * settings.spacing)
+    explicit ImageFinder(const WallSettings<D>& settings)
+        : squared_support_(settings.support * settings.support),
+          blend_(0.15 * settings.spacing),
+          fade_(0.25 * settings.spacing),
+          least_height_(0.5 * settings.image_distance * settings.spacing)
     {}
 
     /// Calls visit(const Image<D>&) for i's own images, then for those of its neighbours, in the order of the list.
@@ -149,7 +149,8 @@ void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_
     for (int k = 0; k < image.order; ++k) {
         const MirrorPlane<D>& plane = *image.path[static_cast<std::size_t>(k)];
         const Vec<D>& n = plane.normal;
-        const double slope = state.density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
+        const double slope =
+            state.density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
         state.density -= 2 * image.height[static_cast<std::size_t>(k)] * slope;
         state.density_gradient += (2 * (slope - state.density_gradient.dot(n))) * n;
         const Vec<D> along = state.velocity_gradient * n;

@@ -22,8 +22,7 @@ void WallFacets<D>::add_fixed(const std::string& body, const std::vector<Vec<D>>
 }
 
 template<int D>
-void WallFacets<D>::set_moving(const std::string& body, const VertexMotion<D>& motion,
-                               std::vector<WallFacet<D>> facets)
+void WallFacets<D>::set_moving(const std::string& body, const VertexMotion<D>& motion, std::vector<WallFacet<D>> facets)
 {
     const auto kept = static_cast<std::size_t>(fixed_facets_);
     facets_.resize(kept);
@@ -68,8 +67,7 @@ template<int D> void WallFacets<D>::move(double s)
 template<int D> void WallFacets<D>::update_facets(int first)
 {
     for (auto f = static_cast<std::size_t>(first); f < facets_.size(); ++f) {
-        for (std::size_t c = 0; c < D; ++c)
-            corners_[f][c] = position_[static_cast<std::size_t>(facets_[f].vertex[c])];
+        for (std::size_t c = 0; c < D; ++c) corners_[f][c] = position_[static_cast<std::size_t>(facets_[f].vertex[c])];
         const Vec<D> area = base::area_vector(corners_[f]);
         const double measure = area.norm();
         base::require(measure > 0, base::ExitCode::bad_input, "a facet of wall '",

@@ -67,7 +67,8 @@ TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluid)
         x.head(D) = cast.walls.contacts().planes[p].point;
         f.head(D) = cast.forces.on_wall[p];
         force += f;
-        moment += Eigen::Vector3d(x.y() * f.z() - x.z() * f.y(), x.z() * f.x() - x.x() * f.z(), x.x() * f.y() - x.y() * f.x());
+        moment += Eigen::Vector3d(x.y() * f.z() - x.z() * f.y(), x.z() * f.x() - x.x() * f.z(),
+                                  x.x() * f.y() - x.y() * f.x());
     }
     for (std::size_t a = 0; a < 3; ++a) {
         EXPECT_NEAR(total.force[a], force[static_cast<int>(a)], 1e-12 * force.norm());

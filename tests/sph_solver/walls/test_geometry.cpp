@@ -46,7 +46,8 @@ TEST(Geometry, ClosestPointOfTriangleIsNearerThanAnySample)
 
 TEST(Geometry, NormalsPointOutOfTheBody)
 {
-    EXPECT_GT(area_vector(Simplex<2>{Point<2>(1, 0), Point<2>(0, 0)}).y(), 0); // solid below a floor run through leftwards
+    EXPECT_GT(area_vector(Simplex<2>{Point<2>(1, 0), Point<2>(0, 0)}).y(),
+              0); // solid below a floor run through leftwards
     const Point<3> area = area_vector(Simplex<3>{Point<3>(0, 0, 0), Point<3>(1, 0, 0), Point<3>(0, 1, 0)});
     EXPECT_DOUBLE_EQ(area.z(), 0.5);
 }

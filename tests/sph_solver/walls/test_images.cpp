@@ -13,7 +13,8 @@ using namespace sample;
 struct Sector {
     double inner;
     Walls<2> walls;
-    explicit Sector(double degrees) : inner(degrees), walls(lines({{polar(30, 0), Vec<2>(0, 0), polar(30, degrees)}})) {}
+    explicit Sector(double degrees) : inner(degrees), walls(lines({{polar(30, 0), Vec<2>(0, 0), polar(30, degrees)}}))
+    {}
 
     bool holds(const Vec<2>& x) const
     {
@@ -31,12 +32,14 @@ TEST(Images, FillASpaceOnceInConcaveCornersOfAnyAngle)
 {
     for (const double inner : {180.0, 172.0, 160.0, 140.0, 120.0, 100.0, 90.0, 75.0, 60.0}) {
         Sector sector(inner);
-        const double limit = inner > 170 ? 0.04 : 0.035; // one plane up to 10 degrees; else the fine lattice's staircase
+        const double limit =
+            inner > 170 ? 0.04 : 0.035; // one plane up to 10 degrees; else the fine lattice's staircase
         for (const double r : {0.6, 1.2, 2.2})
             for (const double part : {0.2, 0.35, 0.5, 0.8}) {
                 const Seen seen = sector.look(polar(r, part * inner));
                 EXPECT_NEAR(seen.volume, 1, limit) << inner << " degrees, r " << r << ", part " << part;
-                EXPECT_LT(seen.gradient.norm(), inner > 170 ? 0.09 : 0.03) << inner << " degrees, r " << r << ", part " << part;
+                EXPECT_LT(seen.gradient.norm(), inner > 170 ? 0.09 : 0.03)
+                    << inner << " degrees, r " << r << ", part " << part;
             }
     }
 }
@@ -70,7 +73,8 @@ TEST(Images, FillASpaceOnceAlongFans)
         const auto is_fluid = [&](const Vec<2>& x) { // in front of all facets of a hollow, of any facet of a bulge
             bool all = true, any = false;
             for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-                const bool front = (x - points[k]).dot(base::area_vector(base::Simplex<2>{points[k], points[k + 1]})) > 0;
+                const bool front =
+                    (x - points[k]).dot(base::area_vector(base::Simplex<2>{points[k], points[k + 1]})) > 0;
                 all = all && front;
                 any = any || front;
             }
@@ -88,7 +92,8 @@ TEST(Images, FillASpaceOnceAlongFans)
 }
 
 /// Largest change of the images' volume along a way in steps of 1/50 dx.
-double largest_jump(Walls<2>& walls, const std::function<bool(const Vec<2>&)>& is_fluid, const Vec<2>& from, const Vec<2>& to)
+double largest_jump(Walls<2>& walls, const std::function<bool(const Vec<2>&)>& is_fluid, const Vec<2>& from,
+                    const Vec<2>& to)
 {
     const int steps = static_cast<int>(std::ceil((to - from).norm() / 0.02));
     double jump = 0, last = look_around(walls, from, is_fluid, 0.1).volume;
@@ -139,11 +144,11 @@ TEST(Images, OwnImageStaysAway)
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
     int count = 0;
-    ImageFinder<2>(walls.settings()).for_each(walls.contacts().contacts[0], walls.contacts().planes, positions, {},
-                                              [&](const Image<2>& image) {
-        ++count;
-        EXPECT_NEAR(std::sqrt(image.squared_distance), walls.settings().image_distance, 1e-12);
-    });
+    ImageFinder<2>(walls.settings())
+        .for_each(walls.contacts().contacts[0], walls.contacts().planes, positions, {}, [&](const Image<2>& image) {
+            ++count;
+            EXPECT_NEAR(std::sqrt(image.squared_distance), walls.settings().image_distance, 1e-12);
+        });
     EXPECT_EQ(count, 1);
 }
 
@@ -155,8 +160,9 @@ TEST(Images, CornerOfThreeWallsHasSevenImagesOfAParticle)
     box.prepare(particles, 0.1);
     box.find_contacts(particles);
     double weight = 0;
-    ImageFinder<3>(box.settings()).for_each(box.contacts().contacts[0], box.contacts().planes, positions, {},
-                                            [&](const Image<3>& image) { weight += image.weight; });
+    ImageFinder<3>(box.settings())
+        .for_each(box.contacts().contacts[0], box.contacts().planes, positions, {},
+                  [&](const Image<3>& image) { weight += image.weight; });
     EXPECT_NEAR(weight, 7, 0.35); // the shares of the image in three planes add up to 1 but where two of them blend
 }
 

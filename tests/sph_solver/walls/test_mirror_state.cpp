@@ -40,7 +40,10 @@ template<int D> struct Cast {
         image.height[0] = (x - first.point).dot(first.normal);
         return image;
     }
-    static Vec<D> place(const Image<D>& image, const Vec<D>& x) { return x - 2 * image.height[0] * image.path[0]->normal; }
+    static Vec<D> place(const Image<D>& image, const Vec<D>& x)
+    {
+        return x - 2 * image.height[0] * image.path[0]->normal;
+    }
 };
 
 template<class T> class MirrorState : public testing::Test {};
@@ -102,7 +105,8 @@ TYPED_TEST(MirrorState, GradientsAreThoseOfTheMirroredField)
         for (int d = 0; d < D; ++d) {
             const double step = 1e-4;
             const Vec<D> ahead = step * Vec<D>::Unit(d);
-            const Vec<D> source = ahead - 2 * ahead.dot(cast.first.normal) * cast.first.normal; // image moves by `ahead`
+            const Vec<D> source =
+                ahead - 2 * ahead.dot(cast.first.normal) * cast.first.normal; // image moves by `ahead`
             const auto plus = mirrored_at<D>(cast, x, source), minus = mirrored_at<D>(cast, x, -source);
             EXPECT_NEAR((plus.density - minus.density) / (2 * step), state.density_gradient[d], 1e-6);
             const Vec<D> slope = (plus.velocity - minus.velocity) / (2 * step);

@@ -11,7 +11,10 @@ namespace {
 
 constexpr double width = 0.1, level = 0.14, gravity = 9.81, spacing = 5e-3;
 
-FluidModel<2> tank_model() { return {CubicSpline<2>(1.23 * spacing), Tait{1000, 30}, VanAlbada{}, Vec<2>(0, -gravity)}; }
+FluidModel<2> tank_model()
+{
+    return {CubicSpline<2>(1.23 * spacing), Tait{1000, 30}, VanAlbada{}, Vec<2>(0, -gravity)};
+}
 
 /// Floor and back wall, closed in front by a rigid wall and, flush below it, a gate of small facets whose corner dips into the
 /// floor by `dip`.
