@@ -51,7 +51,8 @@ inline ClosestPoint<2> closest_point(const Simplex<2>& corners, const Point<2>& 
     return point_at<2>(corners, {1.0 - s, s}, x);
 }
 
-/// Nearest point of a triangle in space: the foot of the perpendicular where it lies inside, else the nearest of the three edges.
+/// Nearest point of a triangle in space: the foot of the perpendicular where it lies inside, else the nearest of the
+/// three edges.
 inline ClosestPoint<3> closest_point(const Simplex<3>& corners, const Point<3>& x)
 {
     const Point<3> u = corners[1] - corners[0], v = corners[2] - corners[0], d = x - corners[0];
@@ -74,7 +75,8 @@ inline ClosestPoint<3> closest_point(const Simplex<3>& corners, const Point<3>& 
     return best;
 }
 
-/// Normal times measure, pointing out of the body: (t_y, -t_x) of a segment [m], half the cross product of a triangle [m^2].
+/// Normal times measure, pointing out of the body: (t_y, -t_x) of a segment [m], half the cross product of a triangle
+/// [m^2].
 inline Point<2> area_vector(const Simplex<2>& corners)
 {
     const Point<2> t = corners[1] - corners[0];

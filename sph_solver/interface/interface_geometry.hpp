@@ -14,7 +14,8 @@ namespace sph {
 /// Throws Error(bad_input) when the batch is of another dimension.
 template<int D> void set_interface_motion(Walls<D>& walls, const coupler::FacetBatch& batch);
 
-/// Where this rank wants to know the facets: the box of its owned particles, widened by `margin`, then rounded outwards to
+/// Where this rank wants to know the facets: the box of its owned particles, widened by `margin`, then rounded
+/// outwards to
 /// multiples of `step` so that it seldom changes. Empty without particles.
 /// \param margin [m], at least 2h + skin + the way that walls and particles go until the next exchange
 template<int D> coupler::RegionBox region_of(const Particles<D>& particles, double margin, double step);

@@ -14,7 +14,8 @@ template<int D> PrimitiveState<D> primitive_state(const Particles<D>& particles,
     return {particles.density[i], particles.velocity[i], particles.density_gradient[i], particles.velocity_gradient[i]};
 }
 
-/// Gives a force to the walls of an image: its components along their normals where these are far from parallel, else all to the last.
+/// Gives a force to the walls of an image: its components along their normals where these are far from parallel, else
+/// all to the last.
 template<int D>
 void share_out(const Vec<D>& force, const Image<D>& image, const MirrorPlane<D>* first, std::vector<Vec<D>>& on_wall,
                std::size_t begin)

@@ -23,7 +23,8 @@ template<int D> struct WallForces {
 ///
 ///     dP_i/dt -= S p_e n,   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
 ///
-/// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along their
+/// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along
+/// their
 /// normals, each part to its own wall.
 /// \pre walls.find_contacts for the present positions; the gradients of owned and halo particles are up to date.
 template<int D>

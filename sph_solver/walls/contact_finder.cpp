@@ -88,7 +88,8 @@ template<int D> bool ContactFinder<D>::is_beyond_end(int at, const Vec<D>& from_
     return false;
 }
 
-/// Is the nearest point a concave joint with a sheet that has its plane already? The wall then keeps its own normal: there is
+/// Is the nearest point a concave joint with a sheet that has its plane already? The wall then keeps its own normal:
+/// there is
 /// no edge that the particle could see.
 template<int D> bool ContactFinder<D>::is_at_represented_joint(int at) const
 {
@@ -157,7 +158,8 @@ template<int D> void ContactFinder<D>::mark_represented(MirrorPlane<D>& plane, i
     drop_covered_cuts(plane);
 }
 
-/// Where the sheet goes on in front of a cut, the body does too: a wall that meets the gate flush may have a face inside.
+/// Where the sheet goes on in front of a cut, the body does too: a wall that meets the gate flush may have a face
+/// inside.
 template<int D> void ContactFinder<D>::drop_covered_cuts(MirrorPlane<D>& plane) const
 {
     std::size_t kept = 0;

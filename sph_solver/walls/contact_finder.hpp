@@ -13,17 +13,20 @@ namespace sph {
 /// Finds the planes in which the neighbours of a particle are mirrored.
 ///
 /// The nearest point of all facets gives the first plane, with n = (x_i - x_w)/|x_i - x_w|, turned outwards where the
-/// particle is inside the wall; only where x_w is the concave joint with a sheet that has its plane, n is the facet's own. Every facet that hangs together with this point through touching facets, and either is
+/// particle is inside the wall; only where x_w is the concave joint with a sheet that has its plane, n is the facet's
+/// own. Every facet that hangs together with this point through touching facets, and either is
 /// turned away from n by less than the sheet angle or lies behind the plane (beyond a convex edge), is represented by
 /// the plane. The nearest point of what is left gives the next plane, up to max_planes of them.
 ///
-/// Where the body behind the plane ends at a convex edge or a free end, a cut is noted: beyond it there is fluid, and an
+/// Where the body behind the plane ends at a convex edge or a free end, a cut is noted: beyond it there is fluid, and
+/// an
 /// image there would count space twice.
 template<int D> class ContactFinder {
 public:
     ContactFinder(const WallFacets<D>& facets, const Touching<D>& touching, const WallSettings<D>& settings);
 
-    /// Appends the planes of a particle at x, nearest first. \param candidates all facets within the support, ascending.
+    /// Appends the planes of a particle at x, nearest first. \param candidates all facets within the support,
+    /// ascending.
     void append_planes(const Vec<D>& x, std::span<const int> candidates, std::vector<MirrorPlane<D>>& planes);
 
 private:

@@ -24,10 +24,12 @@ template<int D> struct Image {
 
 /// Finds all images that a particle sees, without storing them.
 ///
-/// A neighbour j (and i itself) with s = (x_j - x_w).n > 0 has the image x' = x_j - 2 s n; in a corner the images of two
+/// A neighbour j (and i itself) with s = (x_j - x_w).n > 0 has the image x' = x_j - 2 s n; in a corner the images of
+/// two
 /// planes are mirrored again in the other one, up to three times. So that every piece of space behind the walls is
 /// filled once, whatever the corner's angle, an image made by plane P last counts only where it is deeper behind P than
-/// behind any other plane in front of which j stands (with a linear change over 0.3 dx, both together always 1), and fades out
+/// behind any other plane in front of which j stands (with a linear change over 0.3 dx, both together always 1), and
+/// fades out
 /// within a quarter of dx beyond a cut of P.
 template<int D> class ImageFinder {
 public:
@@ -107,7 +109,8 @@ private:
         return image.order < 2 || next == image.path[0] || image.path[0] < image.path[1];
     }
 
-    /// Share that plane p has in the space around x: 1 where x lies deeper behind p than behind all others, 0 where less deep.
+    /// Share that plane p has in the space around x: 1 where x lies deeper behind p than behind all others, 0 where
+    /// less deep.
     double share_of(std::size_t p, const Vec<D>& x, const Source& source) const
     {
         const std::size_t count = source.planes.size();
@@ -137,10 +140,12 @@ private:
     double squared_support_, blend_, fade_, least_height_;
 };
 
-/// The image's state: that of its source, mirrored in one plane after the other (s = height over the plane, R = I - 2 n n):
+/// The image's state: that of its source, mirrored in one plane after the other (s = height over the plane, R = I - 2
+/// n n):
 ///
 ///     v' = v - 2 ((v - v_w).n) n  (slip),   2 v_w - v  (no slip)         grad v' = R grad v R,   - grad v R
-///     p' = p + rho (g - a_w).(x' - x),   rho' = rho + (p' - p)/c^2       grad rho' = R grad rho + 2 rho ((g - a_w).n)/c^2 n
+///     p' = p + rho (g - a_w).(x' - x),   rho' = rho + (p' - p)/c^2       grad rho' = R grad rho + 2 rho ((g -
+/// a_w).n)/c^2 n
 ///
 /// \param state in: of the source; out: of the image.  \param sound_speed c of the source [m/s]
 template<int D>

@@ -17,7 +17,8 @@ struct Penetration {
     double deepest = 0;     ///< depth of the deepest one [dx]
 };
 
-/// All walls of this rank, fixed ones and the moving interface, as the particles see them: which particles are near walls, and the
+/// All walls of this rank, fixed ones and the moving interface, as the particles see them: which particles are near
+/// walls, and the
 /// planes in which each of them mirrors its neighbours (docs/theory/walls.md).
 ///
 /// A step: set_moving (new motion) -> prepare (with every new neighbour list, or when `stale()`) -> for each stage
@@ -29,7 +30,8 @@ public:
     const WallSettings<D>& settings() const { return settings_; }
     const WallFacets<D>& facets() const { return facets_; }
 
-    /// A rigid body that does not move: facets with up to four corners (-1: unused) as indices of vertices, whose coordinates
+    /// A rigid body that does not move: facets with up to four corners (-1: unused) as indices of vertices, whose
+    /// coordinates
     /// stand one after the other [m]. 2D: the solid is on the left of a -> b; 3D: counterclockwise seen from the fluid.
     /// All fixed bodies come before the first set_moving.
     void add_fixed(const std::string& body, const std::vector<double>& coordinates,
@@ -39,7 +41,8 @@ public:
     /// Takes the moving walls to `s` seconds after the start of the step.
     void move(double s) { facets_.move(s); }
 
-    /// Notes the owned particles within reach = support + skin of a wall, and their facets. Holds until the neighbour list
+    /// Notes the owned particles within reach = support + skin of a wall, and their facets. Holds until the neighbour
+    /// list
     /// changes, as long as particles and walls have not moved by more than skin / 2 each.
     void prepare(const Particles<D>& particles, double skin);
     /// Other facets than at the last prepare: prepare must be called again.
@@ -52,7 +55,8 @@ public:
     const WallContacts<D>& contacts() const { return contacts_; }
 
     /// May two particles interact, or does a wall stand between them? False where the straight way between them goes in
-    /// at one side of a plate and out at the other, or leads more than 0.3 dx through a wall in which one of them is stuck.
+    /// at one side of a plate and out at the other, or leads more than 0.3 dx through a wall in which one of them is
+    /// stuck.
     /// Depends on the positions alone and is symmetric. \pre prepare since the last set_moving.
     bool may_interact(const Vec<D>& x_i, const Vec<D>& x_j) const;
 

@@ -16,7 +16,8 @@ FluidModel<2> tank_model()
     return {CubicSpline<2>(1.23 * spacing), Tait{1000, 30}, VanAlbada{}, Vec<2>(0, -gravity)};
 }
 
-/// Floor and back wall, closed in front by a rigid wall and, flush below it, a gate of small facets whose corner dips into the
+/// Floor and back wall, closed in front by a rigid wall and, flush below it, a gate of small facets whose corner dips
+/// into the
 /// floor by `dip`.
 Walls<2> closed_tank(double dip)
 {

@@ -61,7 +61,8 @@ std::vector<Vec<2>> polygon(int sides, double radius, bool fluid_inside)
     return points;
 }
 
-/// Fluid along a polygon, in layers parallel to its sides, as cells finer than the kernel whose volumes fill space exactly.
+/// Fluid along a polygon, in layers parallel to its sides, as cells finer than the kernel whose volumes fill space
+/// exactly.
 Particles<2> layers_along(const std::vector<Vec<2>>& points, double apothem, bool fluid_inside)
 {
     const double fine = 0.2;
@@ -102,7 +103,8 @@ TEST(WallForce, IsPressureTimesAreaOnBentSheetsAndCorners)
 
 TEST(WallForce, OnCurvedWallsIsTakenAbout0Point6DxOffTheWall)
 {
-    // Particles rest on the wall through the kernel, at 0.6 dx from it in the mean: there a circle of radius R has the length
+    // Particles rest on the wall through the kernel, at 0.6 dx from it in the mean: there a circle of radius R has the
+    // length
     // 2 pi (R + 0.6 dx). The forces on the particles still vanish (test_images.cpp).
     EXPECT_NEAR(force_ratio(72, true, 12), 1 - 0.6 / 12, 0.02);
     EXPECT_NEAR(force_ratio(72, false, 12), 1 + 0.6 / 12, 0.02);
