@@ -15,7 +15,8 @@
 /// k depends on d u and d^2 + u^2 only. Written with dot products it limits a vector as a whole, whatever the frame.
 namespace sph {
 
-/// van Albada: phi = d u (d + u) / (d^2 + u^2) where d u > 0, else 0. Second order where the field is smooth; the default.
+/// van Albada: phi = d u (d + u) / (d^2 + u^2) where d u > 0, else 0. Second order where the field is smooth; the
+/// default.
 struct VanAlbada {
     template<class T> T factor(T d_dot_u, T sum_of_squares) const
     {
@@ -23,7 +24,8 @@ struct VanAlbada {
     }
 };
 
-/// No limiter, key "none": the plain linear reconstruction f_L = f_i + s/2. For smooth flows and for studies: it overshoots at jumps.
+/// No limiter, key "none": the plain linear reconstruction f_L = f_i + s/2. For smooth flows and for studies: it
+/// overshoots at jumps.
 struct Unlimited {
     template<class T> T factor(T, T) const { return T{} + 0.5; }
 };

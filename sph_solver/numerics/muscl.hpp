@@ -28,8 +28,8 @@ template<class T> struct RatioView {
 /// Half the limited jump, phi(d, 2 s - d) / 2 = k s, of a field with jump d and predicted slope s along the pair.
 template<class T, class Limiter> [[gnu::always_inline]] inline T half_limited_jump(T jump, T slope, Limiter limiter)
 {
-    const T upstream = 2.0 * slope - jump;
-    return limiter.factor(jump * upstream, jump * jump + upstream * upstream) * slope;
+    const T upstream = multiply_add(T{} + 2.0, slope, -jump);
+    return limiter.factor(jump * upstream, multiply_add(jump, jump, upstream * upstream)) * slope;
 }
 
 /// Both sides of the face, reconstructed in (rho, v_n). Velocities are relative to the face, whose own speed
@@ -51,8 +51,9 @@ template<int D, class T, class Limiter>
     return {q_l, scale * u_l, q_r, scale * u_r};
 }
 
-/// Velocity v_e carried across the face [m/s]: the Riemann velocity along n, the tangential velocity of the side from which
-/// the mass comes. The tangential part is limited as a vector, which in 2D is the scalar limiter and in 3D needs no frame.
+/// Velocity v_e carried across the face [m/s]: the Riemann velocity along n, the tangential velocity of the side from
+/// which the mass comes. The tangential part is limited as a vector, which in 2D is the scalar limiter and in 3D
+/// needs no frame.
 ///
 /// \param u u_e - u_b [m/s].
 template<int D, class T, class Limiter>
@@ -64,9 +65,9 @@ template<int D, class T, class Limiter>
     const T jump_normal = dot(pair.velocity_jump, pair.x) * inverse_square;
     const T slope_normal = dot(slope, pair.x) * inverse_square;
     for (int a = 0; a < D; ++a) {
-        jump[a] = pair.velocity_jump[a] - jump_normal * pair.x[a];
-        slope[a] = slope[a] - slope_normal * pair.x[a];
-        upstream[a] = 2.0 * slope[a] - jump[a];
+        jump[a] = multiply_add(-jump_normal, pair.x[a], pair.velocity_jump[a]);
+        slope[a] = multiply_add(-slope_normal, pair.x[a], slope[a]);
+        upstream[a] = multiply_add(T{} + 2.0, slope[a], -jump[a]);
     }
     const T factor = limiter.factor(dot(jump, upstream), dot(jump, jump) + dot(upstream, upstream));
     const T side = select_positive(u, T{} + 1.0, T{} - 1.0);

@@ -13,8 +13,10 @@
 /// \file
 /// Four doubles computed side by side, and the few functions that the pair formulas need of a number type.
 /// Every formula of a pair is a template on its number type: `double` is the readable reference that the tests use,
-/// `Pack` is what the particle loops run. Both give the same bits, because no operation here is allowed to contract
-/// a product and a sum (the project compiles with -ffp-contract=off).
+/// `Pack` is what the particle loops run. Both give the same bits: the compiler may not fuse a product and a sum on
+/// its own (the project compiles with -ffp-contract=off). Where `multiply_add` fuses them, changing the sign of one
+/// factor and of the summand changes the sign of the result and nothing else, which is what opposite fluxes of a pair
+/// need; a sum of two products that belong to the two sides of a pair must not be fused.
 namespace sph {
 
 inline constexpr int pack_size = 4;
@@ -58,6 +60,25 @@ inline Pack select_positive(Pack sign, Pack if_positive, Pack otherwise)
 /// Sum over the lanes, always in the same tree: (0 + 1) + (2 + 3).
 inline double sum_lanes(Pack a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
+/// a b + c, rounded once where the processor can.
+inline double multiply_add(double a, double b, double c)
+{
+#if defined(__FMA__)
+    return __builtin_fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+inline Pack multiply_add(Pack a, Pack b, Pack c)
+{
+#if defined(__FMA__)
+    return _mm256_fmadd_pd(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
 inline Pack load_pack(const double* from)
 {
     Pack pack;
@@ -80,7 +101,7 @@ inline std::array<Pack, 4> transpose(Pack row0, Pack row1, Pack row2, Pack row3)
 template<class T, std::size_t D> T dot(const std::array<T, D>& a, const std::array<T, D>& b)
 {
     T sum = a[0] * b[0];
-    for (std::size_t k = 1; k < D; ++k) sum = sum + a[k] * b[k];
+    for (std::size_t k = 1; k < D; ++k) sum = multiply_add(a[k], b[k], sum);
     return sum;
 }
 

@@ -23,8 +23,9 @@ template<int D> struct PairFlux {
     double pressure = 0;                   ///< p_e [Pa]
 };
 
-/// Flux between two particles: MUSCL reconstruction in the pair's frame, then the exact Riemann problem at a face that moves
-/// with u_b = (v_i + v_j).n / 2 (docs/theory/fluid.md). The pair seen from j gives exactly the opposite, bit by bit.
+/// Flux between two particles: MUSCL reconstruction in the pair's frame, then the exact Riemann problem at a face
+/// that moves with u_b = (v_i + v_j).n / 2 (docs/theory/fluid.md). The pair seen from j gives exactly the opposite,
+/// bit by bit.
 ///
 /// \param x_ij x_j - x_i [m], not zero.
 /// \param wall true: no mass crosses the face, which leaves the pressure alone (mass_flux = 0, momentum_flux = 0).

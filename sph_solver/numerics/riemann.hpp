@@ -41,8 +41,9 @@ template<class T> T cube(T x) { return x * x * x; }
 ///     shock       (q > q_K):  f_K = (q^3 - q_K^3) / 3 + 2/3 (q - q_K)^3
 ///
 /// The shock line is the Rankine-Hugoniot curve sqrt((p - p_K)(1/rho_K - 1/rho)) up to a relative error of
-/// delta^6 / 14, delta = q/q_K - 1. (For gamma = 7, with s = sqrt((q^7 - 1)(1 - 1/q) / 7) and q = 1 + delta, the square of
-/// delta + delta^2 + delta^3 has the Taylor series of s^2 up to delta^7; other q_K follow by scaling.) So q* is the root of
+/// delta^6 / 14, delta = q/q_K - 1. (For gamma = 7, with s = sqrt((q^7 - 1)(1 - 1/q) / 7) and q = 1 + delta, the
+/// square of delta + delta^2 + delta^3 has the Taylor series of s^2 up to delta^7; other q_K follow by scaling.) So
+/// q* is the root of
 ///
 ///     G(q) = q^3 - C + (q - q_L)_+^3 + (q - q_R)_+^3,   C = (q_L^3 + q_R^3)/2 + 3/2 (u_L - u_R)
 ///

@@ -27,13 +27,13 @@ template<int D> struct FluxPacks {
 template<int D, class Row> [[gnu::always_inline]] inline Pack along(const Row* gradient, const std::array<Pack, D>& x)
 {
     Pack sum = gradient[0] * x[0];
-    for (std::size_t b = 1; b < D; ++b) sum += gradient[b] * x[b];
+    for (std::size_t b = 1; b < D; ++b) sum = multiply_add(gradient[b] + Pack{}, x[b], sum);
     return sum;
 }
 
-/// The faces of a batch of particles towards their neighbours, four in a pack. The work is split in three loops over the packs:
-/// each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs where the loops are
-/// short in code and long in turns.
+/// The faces of a batch of particles towards their neighbours, four in a pack. The work is split in three loops over
+/// the packs: each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs
+/// where the loops are short in code and long in turns.
 template<int D> class FaceBatch {
 public:
     FaceBatch(const PairRecords<D>& records, const NeighbourList& neighbours, const FluidModel<D>& model)
@@ -119,8 +119,8 @@ private:
         const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * pair.inverse_distance;
         sums.mass -= mass_flux;
         for (std::size_t a = 0; a < D; ++a) {
-            sums.by_mass[a] -= mass_flux * velocity[a];
-            sums.by_pressure[a] -= pressure * pair.x[a];
+            sums.by_mass[a] = multiply_add(-mass_flux, velocity[a], sums.by_mass[a]);
+            sums.by_pressure[a] = multiply_add(-pressure, pair.x[a], sums.by_pressure[a]);
         }
     }
 

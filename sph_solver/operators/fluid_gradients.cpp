@@ -24,10 +24,11 @@ template<int D> struct PackedSums {
 
         const Pack ratio_jump = neighbour[2 * D] - state[2 * D];
         for (std::size_t a = 0, ab = 0; a < D; ++a) {
-            for (std::size_t b = a; b < D; ++b, ++ab) moment[ab] += x[a] * weighted[b];
-            ratio[a] += ratio_jump * weighted[a];
+            for (std::size_t b = a; b < D; ++b, ++ab) moment[ab] = multiply_add(x[a], weighted[b], moment[ab]);
+            ratio[a] = multiply_add(ratio_jump, weighted[a], ratio[a]);
             const Pack velocity_jump = neighbour[D + a] - state[D + a];
-            for (std::size_t b = 0; b < D; ++b) velocity[a * D + b] += velocity_jump * weighted[b];
+            for (std::size_t b = 0; b < D; ++b)
+                velocity[a * D + b] = multiply_add(velocity_jump, weighted[b], velocity[a * D + b]);
         }
     }
 

@@ -13,7 +13,8 @@
 ///     accumulate_fluid_gradients(sums, ...);   accumulate_wall_gradients(sums, ...);   finish_gradients(...);
 namespace sph {
 
-/// Makes `sums` anew: the sums of GradientSums over the fluid pairs of each owned particle, neighbours in the list's order.
+/// Makes `sums` anew: the sums of GradientSums over the fluid pairs of each owned particle, neighbours in the list's
+/// order.
 /// \pre records.load_states was called for the present state.
 template<int D>
 void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,

@@ -7,8 +7,8 @@
 
 namespace sph {
 
-/// The neighbour sums of pass 2 for one owned particle over its fluid pairs, the two causes of momentum kept apart because each
-/// has its own column in the energy ledger. S = 2 w_i w_j |W'|:
+/// The neighbour sums of pass 2 for one owned particle over its fluid pairs, the two causes of momentum kept apart
+/// because each has its own column in the energy ledger. S = 2 w_i w_j |W'|:
 ///
 ///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n
 template<int D> struct FluxSums {

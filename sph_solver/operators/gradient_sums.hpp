@@ -7,8 +7,8 @@
 
 namespace sph {
 
-/// The neighbour sums of pass 1 for one owned particle, over fluid pairs and then over wall images, before any division.
-/// With x_ij = x_j - x_i and grad W = |W'(r)| x_ij / r, the gradient of W(|x_i - x_j|) with respect to x_i:
+/// The neighbour sums of pass 1 for one owned particle, over fluid pairs and then over wall images, before any
+/// division. With x_ij = x_j - x_i and grad W = |W'(r)| x_ij / r, the gradient of W(|x_i - x_j|) with respect to x_i:
 ///
 ///     moment    M    = sum w_j x_ij grad W^T           (the unit matrix where the neighbourhood is full)
 ///     density   G[f] = sum w_j (f_j - f_i) grad W      for f = rho

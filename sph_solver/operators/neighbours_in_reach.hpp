@@ -8,8 +8,8 @@
 
 namespace sph {
 
-/// Leaves out of every row the neighbours that are beyond the kernel's support now: what the skin of the list holds in reserve
-/// costs a comparison here instead of two passes of arithmetic that add zero. The order within a row stays.
+/// Leaves out of every row the neighbours that are beyond the kernel's support now: what the skin of the list holds
+/// in reserve costs a comparison here instead of two passes of arithmetic that add zero. The order within a row stays.
 ///
 /// \param reached the result; its storage is used again. \pre records.load_states was called for the present state.
 template<int D>

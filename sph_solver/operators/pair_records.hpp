@@ -10,9 +10,9 @@
 
 namespace sph {
 
-/// Copies of the columns that the pair loops read, one cache line for each particle: a pair then costs one or two line loads
-/// and a transposition in registers instead of a dozen scattered loads. Numbers without units where it saves a product:
-/// q = rho / rho0. Indexed like `Particles`, halo copies included.
+/// Copies of the columns that the pair loops read, one cache line for each particle: a pair then costs one or two
+/// line loads and a transposition in registers instead of a dozen scattered loads. Numbers without units where it
+/// saves a product: q = rho / rho0. Indexed like `Particles`, halo copies included.
 template<int D> class PairRecords {
 public:
     static constexpr std::size_t state_size = 8;               // x, v, q, w
@@ -57,8 +57,8 @@ template<std::size_t Size, class Row>
     return columns;
 }
 
-/// Calls visit(const int* four_indices) over a row of neighbours. The last pack is filled up with i itself: its distance and
-/// its jumps are exactly zero, and so is all that it adds.
+/// Calls visit(const int* four_indices) over a row of neighbours. The last pack is filled up with i itself: its
+/// distance and its jumps are exactly zero, and so is all that it adds.
 template<class Row, class Visit>
 [[gnu::always_inline]] inline void for_each_pack(const Row& neighbours, int i, Visit visit)
 {

@@ -31,14 +31,15 @@ struct EnergyBalance {
     double balance_error = 0; ///< what these do not explain of the change of `total` [J], second order in dt
 };
 
-/// Keeps the fluid's energy account. The rates of loss are summed pair by pair (grouped by particle) with the integrator's
-/// weights, never taken as a remainder. With h = u + p/rho, for the fluid pairs of particle i:
+/// Keeps the fluid's energy account. The rates of loss are summed pair by pair (grouped by particle) with the
+/// integrator's weights, never taken as a remainder. With h = u + p/rho, for the fluid pairs of particle i:
 ///
 ///     D_riemann   = -(v.dP_p - p dw)                                     dP_p, dw: by pressures, of volume
 ///     D_mass_flux = -(v.dP_m - v^2/2 dm + h dm - g.x dm)                 dP_m, dm: carried by the mass flux
 ///
-/// (The last term is potential energy that changes its height with the mass that crosses.) Walls: operators/wall_flux.hpp.
-/// Sums over particles are exact integers (base::ReproducibleSum): they do not depend on the partition.
+/// (The last term is potential energy that changes its height with the mass that crosses.) Walls:
+/// operators/wall_flux.hpp. Sums over particles are exact integers (base::ReproducibleSum): they do not depend on the
+/// partition.
 template<int D> class EnergyLedger : public StageObserver<D> {
 public:
     explicit EnergyLedger(const FluidModel<D>& model) : model_(model) {}

@@ -25,8 +25,8 @@ public:
     /// Called once in every step before its first evaluation, with the walls and the neighbours of the step in place.
     virtual void begin_step(const Particles<D>&, const Walls<D>&, double /* dt */) {}
 
-    /// Called after every evaluation whose rates count. \param weight the Runge-Kutta weight b_s of these rates; those of a
-    /// step add up to 1, so an integral over the step takes weight * dt.
+    /// Called after every evaluation whose rates count. \param weight the Runge-Kutta weight b_s of these rates;
+    /// those of a step add up to 1, so an integral over the step takes weight * dt.
     virtual void observe(const Particles<D>& particles, const Walls<D>& walls, const Evaluation<D>& evaluation,
                          double weight, double dt) = 0;
 };

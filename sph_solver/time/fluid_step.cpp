@@ -81,8 +81,8 @@ template<int D> void FluidStep<D>::refresh_neighbourhood(Particles<D>& particles
 
 /// Will lists and halo still be complete at the end of the step, for a bound on all motion?
 ///
-/// Asks the particles alone: which facets a rank knows depends on the partition, when lists are made must not. (Water that
-/// a plate keeps apart moves with it, so the pairs it separates stay the same as well.)
+/// Asks the particles alone: which facets a rank knows depends on the partition, when lists are made must not. (Water
+/// that a plate keeps apart moves with it, so the pairs it separates stay the same as well.)
 template<int D> bool FluidStep<D>::lists_hold(const Particles<D>& particles, double dt) const
 {
     double fastest = 0.0;

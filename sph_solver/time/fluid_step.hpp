@@ -25,8 +25,8 @@ template<int D> struct FluidParts {
 
 /// One time step of the fluid.
 ///
-/// Between steps the conserved fields of owned and halo particles and all that follows from them without a neighbour sum
-/// (velocity, density, pressure, sound speed) are up to date.
+/// Between steps the conserved fields of owned and halo particles and all that follows from them without a neighbour
+/// sum (velocity, density, pressure, sound speed) are up to date.
 template<int D> class FluidStep {
 public:
     FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
@@ -36,7 +36,8 @@ public:
     /// Adds one who keeps account of every step; not owned.
     void add_observer(StageObserver<D>& observer) { observers_.push_back(&observer); }
 
-    /// Spreads freshly made particles over the ranks and makes lists and derived fields: the state between steps. Collective.
+    /// Spreads freshly made particles over the ranks and makes lists and derived fields: the state between steps.
+    /// Collective.
     void prepare(Particles<D>& particles);
 
     /// From t to t + dt. The moving walls must have been given their motion at t (Walls::set_moving). Collective.

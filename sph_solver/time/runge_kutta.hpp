@@ -17,7 +17,8 @@ struct Stage {
 ///
 ///     y_s+1 = y_n + a_(s+1,s) dt k_s,     y_n+1 = y_n + dt sum b_s k_s
 ///
-/// Whatever else is integrated over the step (work, impulses, dissipations) takes the same weights b_s, else balances do not close.
+/// Whatever else is integrated over the step (work, impulses, dissipations) takes the same weights b_s, else balances
+/// do not close.
 class RungeKutta {
 public:
     /// \param name "rk2" (midpoint, the default: clean up to dt = 0.7 h/c), "rk3" (Heun, 0.9), "rk4" (classical, 1.0).

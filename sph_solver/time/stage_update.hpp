@@ -8,8 +8,8 @@
 
 namespace sph {
 
-/// Takes the conserved fields of the owned particles through the stages of a step. Position, volume, mass and momentum are one
-/// vector y with the rates (v, dw/dt, dm/dt, dP/dt); all get the same weights.
+/// Takes the conserved fields of the owned particles through the stages of a step. Position, volume, mass and
+/// momentum are one vector y with the rates (v, dw/dt, dm/dt, dP/dt); all get the same weights.
 template<int D> class StageUpdate {
 public:
     /// Notes y_n.

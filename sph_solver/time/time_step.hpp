@@ -18,7 +18,8 @@ struct TimeStepSettings {
 ///
 ///     dt = (cfl h / c0) 2^(k/8),   k whole, next to cfl h / max(c)
 ///
-/// The present rung is kept as long as cfl h / max(c) is within 3/4 of a rung from it: the Courant number stays within 7 % of cfl.
+/// The present rung is kept as long as cfl h / max(c) is within 3/4 of a rung from it: the Courant number stays
+/// within 7 % of cfl.
 class TimeStep {
 public:
     /// Throws Error(bad_input) when a size is not positive.

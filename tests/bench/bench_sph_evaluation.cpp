@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directed pairs per second of the fluid's two neighbour passes, on a jittered lattice inside the caches (2D: the gate at
-// dx = 1 mm; 3D: 50,000 particles).
+// Directed pairs per second of the fluid's two neighbour passes, on a jittered lattice inside the caches (2D: the
+// gate at dx = 1 mm; 3D: 50,000 particles).
 #include "sph_solver/neighbours/neighbour_search.hpp"
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/operators/fluid_flux.hpp"

@@ -65,7 +65,8 @@ TEST(PairFlux, FluidInUniformMotionOnlyPushes)
 
 TEST(PairFlux, LinearFieldIsReconstructedWithoutJump)
 {
-    // Both sides extrapolate the same linear field to the middle: no Riemann jump is left, the pressure is that of the middle.
+    // Both sides extrapolate the same linear field to the middle: no Riemann jump is left, the pressure is that of
+    // the middle.
     PrimitiveState<2> i, j;
     const Vec<2> x_ij(0.004, -0.003);
     i.density_gradient = j.density_gradient = Vec<2>(200.0, 900.0);

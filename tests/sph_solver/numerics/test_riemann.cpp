@@ -9,7 +9,8 @@ namespace {
 
 const Tait water{1000.0, 30.0};
 
-/// Velocity change across the wave that leads from state K to rho: the textbook formulas, nothing shared with the solver.
+/// Velocity change across the wave that leads from state K to rho: the textbook formulas, nothing shared with the
+/// solver.
 double wave(double rho, double rho_k)
 {
     const double p = water.stiffness() * (std::pow(rho / 1000.0, 7) - 1),

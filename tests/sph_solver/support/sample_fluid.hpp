@@ -11,7 +11,8 @@
 /// Small made-up fluids for tests and benchmarks.
 namespace sph::sample {
 
-/// Square or cube of `side` particles along each axis with spacing dx, moved by up to `jitter` dx, at rest with density rho0.
+/// Square or cube of `side` particles along each axis with spacing dx, moved by up to `jitter` dx, at rest with
+/// density rho0.
 template<int D> Particles<D> jittered_lattice(int side, double dx, double jitter, double rho0)
 {
     Noise noise(7);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A disc of water that is pulled into an ellipse (Colagrossi 2005): no walls, no gravity, energy known. Small and short here.
+// A disc of water that is pulled into an ellipse (Colagrossi 2005): no walls, no gravity, energy known. Small and
+// short here.
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/time/energy_ledger.hpp"
 #include "sph_solver/time/fluid_step.hpp"
