@@ -46,15 +46,10 @@ void SolidStep::start(Motion& motion)
 void SolidStep::advance(Motion& motion, double dt)
 {
     const Motion motion_n = motion;
-    predict(motion, dt);
-    for (newton_.start();;) {
-        const Eigen::VectorXd inertia = model_.inertia(motion.acceleration);
-        Eigen::VectorXd r = residual(inertia);
-        supports_.clear_rows(r);
-        if (newton_.converged(r, force_scale(inertia), model_.round_off())) break;
-        if (newton_.exhausted()) fail(motion, dt);
-        if (newton_.slow() || std::abs(dt - factorised_dt_) > same_dt * factorised_dt_) factorise(motion, dt);
-        apply(motion, solver_.solve(-r), dt);
+    if (!iterate(motion, predictor_, dt)) {
+        motion = motion_n;
+        factorised_dt_ = 0; // the second attempt shares nothing with the first
+        if (!iterate(motion, Predictor::still, dt)) fail(motion, dt);
     }
     ledger_.account(motion_n, motion, forces_n_, forces_np1_, dt);
     std::swap(forces_n_, forces_np1_);
@@ -62,16 +57,28 @@ void SolidStep::advance(Motion& motion, double dt)
     ++steps_;
 }
 
-void SolidStep::predict(Motion& motion, double dt)
+/// Newton's iteration from a prediction; false when it does not converge.
+bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
 {
-    const Motion motion_n = motion;
-    if (predictor_ == Predictor::constant_acceleration) {
-        hht_.predict(motion, dt);
-        if (!model_.evaluate(motion, 1, forces_np1_).happened()) return;
-        motion = motion_n;
+    if (!predict(motion, predictor, dt)) return false;
+    for (newton_.start();;) {
+        const Eigen::VectorXd inertia = model_.inertia(motion.acceleration);
+        Eigen::VectorXd r = residual(inertia);
+        supports_.clear_rows(r);
+        if (newton_.converged(r, force_scale(inertia), model_.round_off())) return true;
+        if (newton_.exhausted()) return false;
+        if (newton_.slow() || std::abs(dt - factorised_dt_) > same_dt * factorised_dt_) factorise(motion, dt);
+        if (!apply(motion, solver_.solve(-r), dt)) return false;
     }
-    hht_.predict_still(motion, dt);
-    model_.evaluate(motion, 1, forces_np1_);
+}
+
+bool SolidStep::predict(Motion& motion, Predictor predictor, double dt)
+{
+    if (predictor == Predictor::still)
+        hht_.predict_still(motion, dt);
+    else
+        hht_.predict(motion, dt);
+    return !model_.evaluate(motion, 1, forces_np1_).happened();
 }
 
 /// M a_1 + (1 + alpha) g_1 - alpha g_0
@@ -97,17 +104,18 @@ void SolidStep::factorise(const Motion& motion, double dt)
     factorised_dt_ = dt;
 }
 
-/// Adds the correction, halved until no element is turned inside out (det F > 0 everywhere).
-void SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double dt)
+/// Adds the correction, halved until no element is turned inside out (det F > 0 everywhere). False when none helps.
+bool SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double dt)
 {
     ++iterations_;
     double scale = 1;
     hht_.correct(motion, correction, scale, dt);
     for (int halvings = 0; model_.evaluate(motion, 1, forces_np1_).happened(); ++halvings) {
-        if (halvings == max_halvings || !correction.allFinite()) fail(motion, dt);
+        if (halvings == max_halvings || !correction.allFinite()) return false;
         scale *= 0.5;
         hht_.correct(motion, correction, -scale, dt);
     }
+    return true;
 }
 
 void SolidStep::fail(const Motion& motion, double dt) const

@@ -13,7 +13,8 @@ enum class Predictor { constant_acceleration, still };
 /// One implicit HHT step of the solid after the other.
 ///
 /// The factorisation is kept over the steps and renewed when it contracts too little or the step length has changed by
-/// more than 2 %. A prediction that turns an element inside out is replaced by the displacement of the step's start.
+/// more than 2 %. An iteration that fails from the chosen start is tried once more from the displacement of the step's
+/// start with a new factorisation.
 class SolidStep {
 public:
     /// All references outlive the step.
@@ -35,11 +36,12 @@ public:
     long factorisations() const { return solver_.factorisations(); }
 
 private:
-    void predict(Motion& motion, double dt);
+    bool iterate(Motion& motion, Predictor predictor, double dt);
+    bool predict(Motion& motion, Predictor predictor, double dt);
     Eigen::VectorXd residual(const Eigen::VectorXd& inertia) const;
     double force_scale(const Eigen::VectorXd& inertia) const;
     void factorise(const Motion& motion, double dt);
-    void apply(Motion& motion, const Eigen::VectorXd& correction, double dt);
+    [[nodiscard]] bool apply(Motion& motion, const Eigen::VectorXd& correction, double dt);
     [[noreturn]] void fail(const Motion& motion, double dt) const;
 
     const Mesh& mesh_;

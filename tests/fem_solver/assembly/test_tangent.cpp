@@ -16,11 +16,13 @@ using namespace fem_test;
 Motion wavy_motion(const Mesh& mesh)
 {
     Motion motion = Motion::at_rest(std::ssize(mesh.coordinates));
-    for (Eigen::Index i = 0; i < motion.displacement.size(); ++i) {
-        const double x = mesh.coordinates[i];
-        motion.displacement[i] = 0.05 * std::sin(3.0 * x + 0.7 * static_cast<double>(i % 7));
-        motion.velocity[i] = std::cos(2.0 * x + 0.3 * static_cast<double>(i % 5));
-    }
+    const int d = mesh.dimension;
+    for (int i = 0; i < mesh.nodes(); ++i)
+        for (int k = 0; k < d; ++k) {
+            const double *x = mesh.node(i), next = x[(k + 1) % d];
+            motion.displacement[i * d + k] = 0.1 * std::sin(2.5 * next + x[k] + k);
+            motion.velocity[i * d + k] = std::cos(2 * next - x[k] + k);
+        }
     return motion;
 }
 

@@ -99,7 +99,7 @@ TYPED_TEST(Bodies, LinearPartsOfAFaceCoverIt)
             measure += b[0] - a[0];
         } else {
             for (std::size_t i = 1; i + 1 < part.size(); ++i) { // fan of triangles, counterclockwise
-                const auto p = corner<Face>(part[i]) - a, q = corner<Face>(part[i + 1]) - a;
+                const Eigen::Vector2d p = corner<Face>(part[i]) - a, q = corner<Face>(part[i + 1]) - a;
                 measure += 0.5 * (p[0] * q[1] - p[1] * q[0]);
             }
         }
