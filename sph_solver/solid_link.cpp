@@ -20,7 +20,7 @@ coupler::InterfaceSettings settings(const coupler::Session& session, const Tait&
 template <int D>
 SolidLink<D>::SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search,
                         Walls<D>& walls)
-    : session_(session), walls_(walls), region_margin_(search.reach() + search.skin()), region_step_(search.reach()),
+    : session_(session), walls_(walls), region_margin_(search.reach() + search.skin() + walls.settings().spacing), region_step_(search.reach()),
       interface_(session.participant(), settings(session, model.eos), D),
       observer_(walls.settings(), session.coupling().interface_settings().load == coupler::LoadKind::averaged)
 {

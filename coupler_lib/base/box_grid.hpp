@@ -9,7 +9,8 @@
 
 namespace base {
 
-/// Finds which of many boxes are near a point: boxes are entered into the cells of a cubic grid, kept in a hash table, so
+/// Finds which of many boxes are near a point: boxes are entered into the cells of a cubic grid, kept in a hash table,
+/// so
 /// that a point is answered by looking at its one cell. Costs memory for each cell that a box covers.
 template<int D> class BoxGrid {
 public:

@@ -18,8 +18,8 @@ public:
     /// \param steps  k; 0: leave the nodal acceleration alone
     explicit AccelerationFilter(int steps) : steps_(steps) {}
 
-    /// Replaces `motion.acceleration`; call once for every converged state, in the order of time. At the first call, and
-    /// for a repeated time, the nodal acceleration stays.
+    /// Replaces `motion.acceleration`; call once for every converged state, in the order of time. Without a step behind
+    /// it the mean is zero: the nodal acceleration of the start does not know yet what the fluid answers.
     void apply(double time, SurfaceMotion& motion);
 
 private:

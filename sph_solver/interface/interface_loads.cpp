@@ -99,15 +99,24 @@ void InterfaceLoads<D>::add(const Particles<D>& particles, const Walls<D>& walls
         for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end); ++p) {
             const MirrorPlane<D>& plane = walls.contacts().planes[p];
             if (!facets.moves(plane.facet)) continue;
-            const WallFacet<D>& facet = facets[plane.facet];
-            for (std::size_t c = 0; c < D; ++c) {
-                const auto corner = static_cast<std::size_t>(facet.source * 4 + facet.corner[c]);
-                for (std::size_t a = 0; a < D; ++a)
-                    loads_.corner_force[corner * D + a].add(weight * plane.weight[c] * on_wall[p][static_cast<int>(a)]);
-            }
+            add_force(walls, plane, weight * on_wall[p]);
             if (averaged_ && plane.distance < reach * settings_.spacing)
-                add_average(particles, static_cast<std::size_t>(contact.particle), plane, facet.source,
+                add_average(particles, static_cast<std::size_t>(contact.particle), plane, facets[plane.facet].source,
                             facets.normal(plane.facet), weight);
+        }
+    }
+}
+
+/// Gives a force to the corners of its footprint.
+template<int D> void InterfaceLoads<D>::add_force(const Walls<D>& walls, const MirrorPlane<D>& plane, const Vec<D>& force)
+{
+    for (int part = plane.footprint_begin; part < plane.footprint_end; ++part) {
+        const auto& [number, share] = walls.contacts().footprints[static_cast<std::size_t>(part)];
+        const WallFacet<D>& facet = walls.facets()[number];
+        for (std::size_t c = 0; c < D; ++c) {
+            const auto corner = static_cast<std::size_t>(facet.source * 4 + facet.corner[c]);
+            for (std::size_t a = 0; a < D; ++a)
+                loads_.corner_force[corner * D + a].add(share[c] * force[static_cast<int>(a)]);
         }
     }
 }

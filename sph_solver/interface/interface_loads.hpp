@@ -11,8 +11,8 @@ namespace sph {
 
 /// Gathers the loads of this rank's particles on the moving facets over one step, with the Runge-Kutta weights.
 ///
-/// (b) Conservative, always: the force at every wall point x_w goes to the corners of its facet with their shape functions,
-/// so that force, moment and power are those of the fluid.
+/// (b) Conservative, always: the force at every wall point goes to the corners of its footprint (walls/footprint.hpp), with the
+/// weights that made the wall point's velocity, so that force and power are those of the fluid.
 ///
 /// (a) Averaged, on demand: the pressure of a facet is sum w_j p_j* / sum w_j over the particles within 1.5 dx whose nearest
 /// wall point lies on the facet or, where it is smaller than 2 dx, on its patch: the part of the sheet within dx of its centre.
@@ -45,6 +45,7 @@ private:
     bool is_small(const Patch& patch) const;
     bool same_sheet(const Patch& patch, const Vec<D>& normal) const;
     double patch_measure(const Walls<D>& walls, const Patch& patch) const;
+    void add_force(const Walls<D>& walls, const MirrorPlane<D>& plane, const Vec<D>& force);
     void add_average(const Particles<D>& particles, std::size_t i, const MirrorPlane<D>& plane, int source,
                      const Vec<D>& normal, double weight);
 

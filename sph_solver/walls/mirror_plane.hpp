@@ -34,13 +34,20 @@ template<int D> struct MirrorPlane {
 
     Vec<D> point = Vec<D>::Zero();        ///< x_w [m]
     Vec<D> normal = Vec<D>::Zero();       ///< n, into the fluid
-    Vec<D> velocity = Vec<D>::Zero();     ///< v_w [m/s]
-    Vec<D> acceleration = Vec<D>::Zero(); ///< a_w [m/s^2]
+    Vec<D> velocity = Vec<D>::Zero();     ///< v_w [m/s], mean over the footprint of a moving wall
+    Vec<D> acceleration = Vec<D>::Zero(); ///< a_w [m/s^2], likewise
     double distance = 0;                  ///< (x_i - x_w).n [m], negative inside the wall
     int facet = -1;                       ///< that x_w lies on
     std::array<double, D> weight{};       ///< shape functions of the facet's corners at x_w
+    int footprint_begin = 0, footprint_end = 0; ///< of a moving wall: its part of WallContacts::footprints
     std::array<Cut<D>, max_cuts> cuts;
     std::size_t cut_count = 0;
+};
+
+/// One facet's part in a footprint: how much of the force its corners take, and how much of the motion they give.
+template<int D> struct FootprintPart {
+    int facet = -1;
+    std::array<double, D> weight{}; ///< the weights of all parts of a footprint add up to 1
 };
 
 /// An owned particle near walls, and its planes: planes[plane_begin .. plane_end) of the list, nearest first.
@@ -54,6 +61,7 @@ struct WallContact {
 template<int D> struct WallContacts {
     std::vector<WallContact> contacts;
     std::vector<MirrorPlane<D>> planes;
+    std::vector<FootprintPart<D>> footprints;
 };
 
 } // namespace sph

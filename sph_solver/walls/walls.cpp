@@ -2,6 +2,7 @@
 #include "sph_solver/walls/walls.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
+#include "sph_solver/walls/footprint.hpp"
 #include "sph_solver/walls/split_facets.hpp"
 
 #include <algorithm>
@@ -75,7 +76,9 @@ template<int D> void Walls<D>::find_contacts(const Particles<D>& particles)
     base::ensure(!stale_, "walls are prepared before contacts are looked for");
     contacts_.contacts.clear();
     contacts_.planes.clear();
+    contacts_.footprints.clear();
     ContactFinder<D> finder(facets_, touching_, settings_);
+    FootprintFinder<D> footprints(facets_, touching_, settings_);
     for (const Row& row : rows_) {
         const int i = particles.owned[row.row];
         const std::span<const int> candidates(candidates_.data() + row.begin,
@@ -84,6 +87,8 @@ template<int D> void Walls<D>::find_contacts(const Particles<D>& particles)
         finder.append_planes(particles.position[static_cast<std::size_t>(i)], candidates, contacts_.planes);
         const int last = static_cast<int>(contacts_.planes.size());
         if (last > first) contacts_.contacts.push_back({row.row, i, first, last});
+        for (auto plane = contacts_.planes.begin() + first; plane != contacts_.planes.end(); ++plane)
+            if (facets_.moves(plane->facet)) footprints.append(*plane, contacts_.footprints);
     }
 }
 

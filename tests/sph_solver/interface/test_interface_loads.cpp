@@ -52,7 +52,7 @@ TYPED_TEST(InterfaceLoadsTest, VirtualWorkIsThatOfTheFluid)
     EXPECT_EQ(account.by_walls.value(), 0);
 }
 
-TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluid)
+TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluidOnItsFootprints)
 {
     constexpr int D = TypeParam::value;
     WetPlate<D> cast(7);
@@ -64,8 +64,13 @@ TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluid)
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
     for (std::size_t p = 0; p < cast.forces.on_wall.size(); ++p) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero(), f = Eigen::Vector3d::Zero();
-        x.head(D) = cast.walls.contacts().planes[p].point;
+        const auto& plane = cast.walls.contacts().planes[p];
+        for (int part = plane.footprint_begin; part < plane.footprint_end; ++part) {
+            const auto& [facet, share] = cast.walls.contacts().footprints[static_cast<std::size_t>(part)];
+            for (std::size_t c = 0; c < D; ++c) x.head(D) += share[c] * cast.walls.facets().corners(facet)[c];
+        }
         f.head(D) = cast.forces.on_wall[p];
+        EXPECT_LT((x.head(D) - plane.point).norm(), cast.walls.settings().spacing); // the footprint lies around x_w
         force += f;
         moment += Eigen::Vector3d(x.y() * f.z() - x.z() * f.y(), x.z() * f.x() - x.x() * f.z(),
                                   x.x() * f.y() - x.y() * f.x());
