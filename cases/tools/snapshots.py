@@ -31,7 +31,7 @@ def draw_water(axes, step: FieldStep, view: View):
     points_per_metre = box.width / axes.figure.dpi * 72 / (high_x - low_x)
     size = max(view.spacing * points_per_metre * 1.15, 0.5)
     return axes.scatter(x[inside], y[inside], c=np.ravel(step.fields["pressure"])[inside], s=size**2, marker="o",
-                        cmap=WATER, vmin=0.0, vmax=view.pressure, linewidths=0, rasterized=True)
+                        cmap=WATER, vmin=-0.1 * view.pressure, vmax=view.pressure, linewidths=0, rasterized=True)
 
 
 def draw_solid(axes, step: FieldStep) -> None:
@@ -69,7 +69,7 @@ def snapshot_figure(water_file, solid_file, times, view: View, columns: int = 4)
     rows = -(-len(panels) // columns)
     low_x, high_x, low_y, high_y = view.window
     width = 11.5
-    height = rows * (width / columns * (high_y - low_y) / (high_x - low_x) + 0.32)
+    height = rows * (width / columns * (high_y - low_y) / (high_x - low_x) + 0.25) + 0.4
     figure, grid = plt.subplots(rows, columns, figsize=(width, height), squeeze=False, layout="constrained")
     figure.get_layout_engine().set(w_pad=0.02, h_pad=0.02)
     figure.draw_without_rendering()
@@ -87,8 +87,8 @@ def snapshot_figure(water_file, solid_file, times, view: View, columns: int = 4)
         if index + columns >= len(panels):
             axes.set_xlabel("x [m]", fontsize=8)
     if colours is not None:
-        bar = figure.colorbar(colours, ax=grid, extend="both", shrink=0.6, aspect=30, pad=0.01)
-        bar.set_label("pressure [Pa]  (orange: below zero)", fontsize=8)
+        bar = figure.colorbar(colours, ax=grid, extend="both", shrink=0.9, aspect=30, pad=0.01)
+        bar.set_label(f"pressure [Pa] (orange: below {-0.1 * view.pressure:.0f})", fontsize=7)
         bar.ax.tick_params(labelsize=7)
         bar.outline.set_visible(False)
     return figure
