@@ -141,6 +141,7 @@ void FluidSimulation<D>::exchange()
 {
     if (!solid_) return;
     const auto scope = session_.timers().scope("exchange");
+    if (!now_.last && now_.step > 0) step_.settle(particles_, next_dt_);  // asks for facets where the particles will be
     solid_->exchange({now_.step, now_.time, next_dt_, now_.last, stopping_}, particles_, ledger_);
     if (output_->row_due()) solid_->write_row();
 }

@@ -3,6 +3,8 @@
 
 #include "sph_solver/interface/interface_geometry.hpp"
 
+#include <algorithm>
+
 namespace sph {
 namespace {
 
@@ -13,6 +15,16 @@ coupler::InterfaceSettings settings(const coupler::Session& session, const Tait&
     result.impedance = eos.rho0 * eos.c0;
     result.pressure_limit = eos.rho0 * eos.c0 * eos.c0;
     return result;
+}
+
+/// The smallest box around two; an empty one adds nothing.
+coupler::RegionBox united(coupler::RegionBox a, const coupler::RegionBox& b)
+{
+    for (std::size_t d = 0; d < 3; ++d) {
+        a.low[d] = std::min(a.low[d], b.low[d]);
+        a.high[d] = std::max(a.high[d], b.high[d]);
+    }
+    return a;
 }
 
 }  // namespace
@@ -63,7 +75,9 @@ template <int D>
 void SolidLink<D>::send(const coupler::Window& window, const Particles<D>& particles, const coupler::FacetLoads& loads)
 {
     const auto scope = session_.timers().scope("interface: send");
-    interface_.send(window, region_of(particles, region_margin_, region_step_), loads, batch_, report_);
+    const coupler::RegionBox region = region_of(particles, region_margin_, region_step_);
+    interface_.send(window, united(region, last_region_), loads, batch_, report_);
+    last_region_ = region;
 }
 
 template <int D>

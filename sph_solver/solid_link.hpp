@@ -55,6 +55,7 @@ private:
     Walls<D>& walls_;
     double region_margin_;
     double region_step_;
+    coupler::RegionBox last_region_;  ///< of the step before: its facets still bear the load that is sent now
     coupler::FluidInterface interface_;
     LoadObserver<D> observer_;
     coupler::FacetBatch batch_;

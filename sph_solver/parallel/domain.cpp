@@ -62,6 +62,7 @@ void Domain<D>::update_blocks(const Particles<D>& particles)
     }
     blocks_.repartition(comm_, as_list(found, comm_.rank()));
     rebuilds_since_cut_ = 0;
+    best_imbalance_ = 0.0;
     ++cuts_;
 }
 
@@ -74,8 +75,9 @@ bool Domain<D>::unbalanced()
     for (const BlockWork& block : work_) mine += block.work;
     const auto mean = static_cast<double>(comm_.sum(mine)) / comm_.size();
     const auto largest = static_cast<double>(comm_.max(mine));
-    const double imbalance = mean > 0.0 ? largest / mean : 1.0;
-    if (rebuilds_since_cut_ == 1) best_imbalance_ = imbalance;
+    if (mean == 0.0) return false;
+    const double imbalance = largest / mean;
+    if (best_imbalance_ == 0.0) best_imbalance_ = imbalance;
     return rebuilds_since_cut_ >= settings_.rebuilds_between &&
            imbalance > std::max(settings_.limit, 1.1 * best_imbalance_);
 }

@@ -70,7 +70,7 @@ private:
     std::vector<BlockWork> work_;     ///< of my blocks, from the last record_work
     int rebuilds_since_cut_ = 0;
     int cuts_ = 0;
-    double best_imbalance_ = 1.0;     ///< what the last cut achieved
+    double best_imbalance_ = 0.0;     ///< what the last cut achieved, 0: not measured yet
 };
 
 }  // namespace sph

@@ -14,7 +14,8 @@ namespace sph {
 
 template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
 {
-    refresh_neighbourhood(particles, dt); // who left my region, who sees whom
+    if (!settled_) settle(particles, dt); // who left my region
+    refresh_neighbourhood(particles, dt); // who sees whom
     for (auto* observer : observers_) observer->begin_step(particles, parts_.walls, dt);
     update_.start(particles);
     for (const Stage& stage : runge_kutta_.stages()) {
@@ -27,6 +28,7 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
         update_derived(particles, model_.eos);
     }
     parts_.walls.move(dt);
+    settled_ = false;
 }
 
 template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
@@ -68,15 +70,24 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
 
 template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
 {
-    rebuild(particles);
-    parts_.walls.move(0.0);
+    redistribute(particles);
+    build_lists(particles);
     parts_.walls.find_contacts(particles);
+    settled_ = true;
 }
 
-template<int D> void FluidStep<D>::refresh_neighbourhood(Particles<D>& particles, double dt)
+template<int D> void FluidStep<D>::settle(Particles<D>& particles, double dt)
 {
-    if (parts_.domain.comm().any(!lists_hold(particles, dt))) return rebuild(particles);
-    if (!walls_hold(dt)) prepare_walls(particles);
+    settled_ = true;
+    if (parts_.domain.comm().any(!lists_hold(particles, dt))) redistribute(particles);
+}
+
+template<int D> void FluidStep<D>::refresh_neighbourhood(const Particles<D>& particles, double dt)
+{
+    if (redistributed_)
+        build_lists(particles);
+    else if (!walls_hold(dt))
+        prepare_walls(particles);
 }
 
 /// Will lists and halo still be complete at the end of the step, for a bound on all motion?
@@ -105,17 +116,23 @@ template<int D> void FluidStep<D>::prepare_walls(const Particles<D>& particles)
     parts_.walls.prepare(particles, parts_.search.skin());
 }
 
-template<int D> void FluidStep<D>::rebuild(Particles<D>& particles)
+template<int D> void FluidStep<D>::redistribute(Particles<D>& particles)
 {
-    const auto scope = parts_.timers.scope("neighbourhood");
-    const NeighbourSearch<D>& search = parts_.search;
+    const auto scope = parts_.timers.scope("migration and halo");
     parts_.outflow.remove(particles);
     parts_.domain.redistribute(particles);
     update_derived(particles, model_.eos);
+    redistributed_ = true;
+}
+
+template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)
+{
+    const auto scope = parts_.timers.scope("neighbours");
     prepare_walls(particles);
     parts_.search.build(particles,
                         [this](const Vec<D>& x_i, const Vec<D>& x_j) { return parts_.walls.may_interact(x_i, x_j); });
-    parts_.domain.record_work(particles, search.list().offsets);
+    parts_.domain.record_work(particles, parts_.search.list().offsets);
+    redistributed_ = false;
     ++rebuilds_;
 }
 

@@ -40,6 +40,10 @@ public:
     /// Collective.
     void prepare(Particles<D>& particles);
 
+    /// Sends particles to their owners and makes the halo, where a step of `dt` asks for it. advance() does so itself, unless it
+    /// was done before: a coupled run needs to know its particles before it asks for the facets around them. Collective.
+    void settle(Particles<D>& particles, double dt);
+
     /// From t to t + dt. The moving walls must have been given their motion at t (Walls::set_moving). Collective.
     void advance(Particles<D>& particles, double dt);
 
@@ -50,11 +54,12 @@ public:
     long rebuilds() const { return rebuilds_; }
 
 private:
-    void refresh_neighbourhood(Particles<D>& particles, double dt);
+    void refresh_neighbourhood(const Particles<D>& particles, double dt);
     bool lists_hold(const Particles<D>& particles, double dt) const;
     bool walls_hold(double dt) const;
     void prepare_walls(const Particles<D>& particles);
-    void rebuild(Particles<D>& particles);
+    void redistribute(Particles<D>& particles);
+    void build_lists(const Particles<D>& particles);
 
     FluidModel<D> model_;
     RungeKutta runge_kutta_;
@@ -64,6 +69,8 @@ private:
     NeighbourList in_reach_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
+    bool settled_ = false;       ///< settle was called for the coming step
+    bool redistributed_ = false; ///< lists are void
     long rebuilds_ = 0;
 };
 
