@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <sys/resource.h>
 
 namespace coupler {
@@ -27,6 +28,19 @@ void write_text(const std::string& path, const std::string& content)
     std::ofstream file(path);
     file << content;
     base::require_input(file.good(), "cannot write the file '", path, "'; is the disk full?");
+}
+
+/// The tables of a TOML text below one name: [time] becomes [fluid.time], [[walls]] becomes [[fluid.walls]].
+std::string below(const std::string& name, const std::string& tables)
+{
+    std::istringstream lines(tables);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t bracket = line.find_first_not_of('[');
+        if (bracket == 1 || bracket == 2) line.insert(bracket, name + ".");
+        result += line + "\n";
+    }
+    return result;
 }
 
 /// The texts of all participants' roots, gathered on the root that is world rank 0 (empty elsewhere), in role order.
@@ -84,8 +98,9 @@ void Session::write_used_config()
     if (!is_root()) return;
     const auto parts = gather_texts(*participant_, files_.used_own, used_config_tag);
     if (parts.empty()) return;
-    std::string all = files_.coupling ? "# ---- coupling: " + files_.coupling_file + "\n" + files_.used_coupling : "";
-    for (const auto& [role, used] : parts) all += "# ---- " + role + "\n" + used;
+    std::string all = "# Every key of the run, defaults included; the names are those of --set.\n\n";
+    if (files_.coupling) all += below("coupling", files_.used_coupling);
+    for (const auto& [role, used] : parts) all += below(role, used);
     write_text(files_.output_dir + "/used_config.toml", all);
 }
 
