@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/base/box_grid.hpp"
 
+#include "coupler_lib/foundation/check.hpp"
+
 #include <algorithm>
 #include <bit>
 
 namespace base {
+namespace {
+
+constexpr double most_cells = 1e7; // of one item; without the limit a run that has diverged hangs here
+
+} // namespace
 
 template<int D> void BoxGrid<D>::clear()
 {
@@ -16,10 +23,14 @@ template<int D> void BoxGrid<D>::clear()
 template<int D> void BoxGrid<D>::add(int item, const Box<D>& box)
 {
     std::array<std::int64_t, D> low{}, high{};
+    double cells = 1.0;
     for (std::size_t d = 0; d < D; ++d) {
         low[d] = index(box.low[static_cast<int>(d)]);
         high[d] = index(box.high[static_cast<int>(d)]);
+        cells *= static_cast<double>(high[d] - low[d] + 1);
     }
+    require(cells < most_cells, ExitCode::numerical_failure, "item ", item, " of a search grid reaches over ", cells,
+            " cells: a moving wall has gone wild, or a wall is huge against the particle spacing");
     for (auto cell = low;;) {
         entries_.push_back({key(cell), item});
         std::size_t d = 0;
