@@ -41,13 +41,15 @@ EnergyRow row_of(const Instant& now, const EnergyBalance& e)
     return row;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
+template<int D>
 FluidOutput<D>::FluidOutput(const FluidConfig& config, coupler::Session& session, const FluidModel<D>& model)
-    : session_(session), probes_(config.probes, model.kernel, config.resolution.spacing),
+    : session_(session),
+      probes_(config.probes, model.kernel, config.resolution.spacing),
       row_clock_(table_interval(config, session), Zero::every_step),
-      field_clock_(field_interval(config, session), Zero::never), fields_(session.own_dir(), session.comm())
+      field_clock_(field_interval(config, session), Zero::never),
+      fields_(session.own_dir(), session.comm())
 {
     if (!session.is_root()) return;
     energy_table_.emplace(session.own_dir(), D);
@@ -56,14 +58,13 @@ FluidOutput<D>::FluidOutput(const FluidConfig& config, coupler::Session& session
     probe_table_.emplace(session.own_dir() + "/probes.csv", columns);
 }
 
-template <int D>
-void FluidOutput<D>::look_at(const Instant& now)
+template<int D> void FluidOutput<D>::look_at(const Instant& now)
 {
     row_due_ = row_clock_.due(now.time) || now.last;
     fields_due_ = field_clock_.due(now.time) || now.last;
 }
 
-template <int D>
+template<int D>
 void FluidOutput<D>::write_row(const Instant& now, const EnergyBalance& energies, const Particles<D>& particles)
 {
     const double mass = energies.mass + energies.outflow_mass;
@@ -78,7 +79,7 @@ void FluidOutput<D>::write_row(const Instant& now, const EnergyBalance& energies
     probe_table_->flush();
 }
 
-template <int D>
+template<int D>
 void FluidOutput<D>::write_fields(const Instant& now, const Particles<D>& particles, const Walls<D>& walls)
 {
     fields_.write(now.time, particles);
@@ -87,12 +88,12 @@ void FluidOutput<D>::write_fields(const Instant& now, const Particles<D>& partic
     const double deepest = session_.comm().max(mine.deepest);
     worst_ = {std::max(worst_.count, count), std::max(worst_.deepest, deepest)};
     if (deepest > 0.05 && session_.is_root()) {
-        session_.log().warn(base::text("t = ", now.time, " s: ", count, " particles inside walls, the deepest ", deepest, " dx"));
+        session_.log().warn(
+            base::text("t = ", now.time, " s: ", count, " particles inside walls, the deepest ", deepest, " dx"));
     }
 }
 
-template <int D>
-void FluidOutput<D>::summarise(base::JsonObject& figures) const
+template<int D> void FluidOutput<D>::summarise(base::JsonObject& figures) const
 {
     figures.set("mass_error", largest_mass_error_)
         .set("particles_inside_walls_most", worst_.count)
@@ -102,4 +103,4 @@ void FluidOutput<D>::summarise(base::JsonObject& figures) const
 template class FluidOutput<2>;
 template class FluidOutput<3>;
 
-}  // namespace sph
+} // namespace sph

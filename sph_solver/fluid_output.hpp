@@ -17,14 +17,13 @@ namespace sph {
 /// Where a run is: `step` steps done, the last one `dt` long, at `time`.
 struct Instant {
     std::int64_t step = 0;
-    double time = 0;  ///< [s]
-    double dt = 0;    ///< [s]
+    double time = 0; ///< [s]
+    double dt = 0;   ///< [s]
     bool last = false;
 };
 
 /// What a run writes of the fluid, and when: rows of energy.csv and probes.csv, all particles, figures of the whole run.
-template <int D>
-class FluidOutput {
+template<int D> class FluidOutput {
 public:
     FluidOutput(const FluidConfig& config, coupler::Session& session, const FluidModel<D>& model);
 
@@ -49,10 +48,10 @@ private:
     bool row_due_ = false, fields_due_ = false;
     FieldOutput<D> fields_;
     std::optional<EnergyTable> energy_table_;    ///< on rank 0
-    std::optional<base::CsvWriter> probe_table_;  ///< on rank 0
+    std::optional<base::CsvWriter> probe_table_; ///< on rank 0
     double start_mass_ = -1.0;
     double largest_mass_error_ = 0.0;
     Penetration worst_;
 };
 
-}  // namespace sph
+} // namespace sph

@@ -8,7 +8,7 @@
 namespace sph {
 namespace {
 
-constexpr double deepest_start = 0.05;  // [dx] into a wall that a particle may start
+constexpr double deepest_start = 0.05; // [dx] into a wall that a particle may start
 
 double end_time(const FluidConfig& config, const coupler::Session& session)
 {
@@ -18,19 +18,18 @@ double end_time(const FluidConfig& config, const coupler::Session& session)
     return config.time.end;
 }
 
-template <int D>
-NeighbourSearch<D> make_search(const FluidConfig& config, const FluidModel<D>& model)
+template<int D> NeighbourSearch<D> make_search(const FluidConfig& config, const FluidModel<D>& model)
 {
     const double support = model.kernel.support();
     return {support, config.resolution.skin * support};
 }
 
-template <int D>
-Outflow<D> make_outflow(const FluidConfig& config, const FluidModel<D>& model)
+template<int D> Outflow<D> make_outflow(const FluidConfig& config, const FluidModel<D>& model)
 {
     std::vector<OutflowPlane<D>> planes;
     for (const OutflowConfig& outflow : config.outflows) {
-        planes.push_back({Eigen::Map<const Vec<D>>(outflow.point.data()), Eigen::Map<const Vec<D>>(outflow.normal.data())});
+        planes.push_back(
+            {Eigen::Map<const Vec<D>>(outflow.point.data()), Eigen::Map<const Vec<D>>(outflow.normal.data())});
     }
     return {planes, model.eos, model.gravity};
 }
@@ -40,16 +39,21 @@ TimeStepSettings step_settings(const FluidConfig& config)
     return {config.time.cfl, config.resolution.smoothing_length(), config.liquid.sound_speed, config.time.fixed_dt};
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
+template<int D>
 FluidSimulation<D>::FluidSimulation(const FluidConfig& config, coupler::Session& session)
-    : config_(config), session_(session), model_(make_model<D>(config)), end_time_(end_time(config, session)),
-      walls_(make_walls(config, model_)), search_(make_search(config, model_)),
+    : config_(config),
+      session_(session),
+      model_(make_model<D>(config)),
+      end_time_(end_time(config, session)),
+      walls_(make_walls(config, model_)),
+      search_(make_search(config, model_)),
       domain_(session.comm(), search_.grid(), {config.parallel.imbalance_limit, config.parallel.rebuilds_between}),
       outflow_(make_outflow(config, model_)),
       step_(model_, RungeKutta(config.numerics.integrator), {domain_, search_, walls_, outflow_, session.timers()}),
-      ledger_(model_), time_step_(step_settings(config)),
+      ledger_(model_),
+      time_step_(step_settings(config)),
       particles_(initial_particles<D>(config, model_, session.comm())),
       progress_(session.log(), config.time.start, end_time_)
 {
@@ -57,8 +61,7 @@ FluidSimulation<D>::FluidSimulation(const FluidConfig& config, coupler::Session&
     step_.add_observer(ledger_);
 }
 
-template <int D>
-void FluidSimulation<D>::check()
+template<int D> void FluidSimulation<D>::check()
 {
     step_.prepare(particles_);
     require_dry_walls(walls_, session_.comm(), deepest_start);
@@ -66,8 +69,7 @@ void FluidSimulation<D>::check()
     session_.log().info(base::text("the input is in order: ", count, " particles in ", D, "D"));
 }
 
-template <int D>
-void FluidSimulation<D>::run()
+template<int D> void FluidSimulation<D>::run()
 {
     output_ = std::make_unique<FluidOutput<D>>(config_, session_, model_);
     if (session_.coupled()) {
@@ -86,11 +88,10 @@ void FluidSimulation<D>::run()
 }
 
 /// The state at the start, the load that it puts on the solid, and the first rows.
-template <int D>
-void FluidSimulation<D>::start()
+template<int D> void FluidSimulation<D>::start()
 {
     if (solid_) {
-        domain_.redistribute(particles_);  // a rank's region is known only now
+        domain_.redistribute(particles_); // a rank's region is known only now
         solid_->greet(particles_, now_.time);
     }
     step_.prepare(particles_);
@@ -101,8 +102,7 @@ void FluidSimulation<D>::start()
     exchange();
 }
 
-template <int D>
-void FluidSimulation<D>::advance()
+template<int D> void FluidSimulation<D>::advance()
 {
     const auto scope = session_.timers().scope("step");
     session_.participant().set_clock(now_.step, now_.time);
@@ -122,32 +122,25 @@ void FluidSimulation<D>::advance()
     progress_.update(now_.time, now_.step, now_.dt);
 }
 
-template <int D>
-bool FluidSimulation<D>::is_last() const
-{
-    return stopping_ || now_.time >= end_time_ * (1.0 - 1e-12);
-}
+template<int D> bool FluidSimulation<D>::is_last() const { return stopping_ || now_.time >= end_time_ * (1.0 - 1e-12); }
 
 /// Coupled, both sides agree on it with their packets; alone, the ranks do.
-template <int D>
-bool FluidSimulation<D>::stop_wanted()
+template<int D> bool FluidSimulation<D>::stop_wanted()
 {
     if (solid_) return solid_->stop_agreed();
     return session_.comm().any(session_.participant().stop_requested());
 }
 
-template <int D>
-void FluidSimulation<D>::exchange()
+template<int D> void FluidSimulation<D>::exchange()
 {
     if (!solid_) return;
     const auto scope = session_.timers().scope("exchange");
-    if (!now_.last && now_.step > 0) step_.settle(particles_, next_dt_);  // asks for facets where the particles will be
+    if (!now_.last && now_.step > 0) step_.settle(particles_, next_dt_); // asks for facets where the particles will be
     solid_->exchange({now_.step, now_.time, next_dt_, now_.last, stopping_}, particles_, ledger_);
     if (output_->row_due()) solid_->write_row();
 }
 
-template <int D>
-void FluidSimulation<D>::write()
+template<int D> void FluidSimulation<D>::write()
 {
     output_->look_at(now_);
     if (!output_->row_due() && !output_->fields_due()) return;
@@ -163,8 +156,7 @@ void FluidSimulation<D>::write()
     }
 }
 
-template <int D>
-void FluidSimulation<D>::finish()
+template<int D> void FluidSimulation<D>::finish()
 {
     progress_.finish();
     const auto& comm = session_.comm();
@@ -187,4 +179,4 @@ void FluidSimulation<D>::finish()
 template class FluidSimulation<2>;
 template class FluidSimulation<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -11,8 +11,7 @@
 namespace sph {
 
 /// A whole run of the fluid, alone or coupled to a solid: owns everything that lives as long as the run.
-template <int D>
-class FluidSimulation {
+template<int D> class FluidSimulation {
 public:
     FluidSimulation(const FluidConfig& config, coupler::Session& session);
 
@@ -43,14 +42,14 @@ private:
     EnergyLedger<D> ledger_;
     TimeStep time_step_;
     Particles<D> particles_;
-    std::unique_ptr<SolidLink<D>> solid_;     ///< none when the fluid runs alone
-    std::unique_ptr<FluidOutput<D>> output_;  ///< none for a check
+    std::unique_ptr<SolidLink<D>> solid_;    ///< none when the fluid runs alone
+    std::unique_ptr<FluidOutput<D>> output_; ///< none for a check
     base::Progress progress_;
     Instant now_;
     double next_dt_ = 0.0;
     bool stopping_ = false;
-    double updates_ = 0.0;                    ///< particle updates so far, all ranks
+    double updates_ = 0.0; ///< particle updates so far, all ranks
     double loop_seconds_ = 0.0;
 };
 
-}  // namespace sph
+} // namespace sph

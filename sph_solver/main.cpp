@@ -8,15 +8,14 @@
 
 namespace {
 
-template <int D>
-void simulate(const sph::FluidConfig& config, coupler::Session& session)
+template<int D> void simulate(const sph::FluidConfig& config, coupler::Session& session)
 {
     sph::FluidSimulation<D> simulation(config, session);
     if (session.check_only()) return simulation.check();
     simulation.run();
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

@@ -27,12 +27,15 @@ coupler::RegionBox united(coupler::RegionBox a, const coupler::RegionBox& b)
     return a;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
+template<int D>
 SolidLink<D>::SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search,
                         Walls<D>& walls)
-    : session_(session), walls_(walls), region_margin_(search.reach() + search.skin() + walls.settings().spacing), region_step_(search.reach()),
+    : session_(session),
+      walls_(walls),
+      region_margin_(search.reach() + search.skin() + walls.settings().spacing),
+      region_step_(search.reach()),
       interface_(session.participant(), settings(session, model.eos), D),
       observer_(walls.settings(), session.coupling().interface_settings().load == coupler::LoadKind::averaged)
 {
@@ -40,23 +43,21 @@ SolidLink<D>::SolidLink(coupler::Session& session, const FluidModel<D>& model, c
     if (session.is_root()) record_.emplace(session.output_dir(), D);
 }
 
-template <int D>
-void SolidLink<D>::greet(const Particles<D>& particles, double time)
+template<int D> void SolidLink<D>::greet(const Particles<D>& particles, double time)
 {
     send({.step = -1, .time = time}, particles, {});
     receive();
     move_walls();
 }
 
-template <int D>
-void SolidLink<D>::measure_start(FluidStep<D>& step, Particles<D>& particles)
+template<int D> void SolidLink<D>::measure_start(FluidStep<D>& step, Particles<D>& particles)
 {
     observer_.begin_step(particles, walls_, 0.0);
     const Evaluation<D>& evaluation = step.evaluate(particles);
     observer_.observe(particles, walls_, evaluation, 1.0, 0.0);
 }
 
-template <int D>
+template<int D>
 void SolidLink<D>::exchange(const coupler::Window& window, const Particles<D>& particles, const EnergyLedger<D>& ledger)
 {
     sum_load(ledger);
@@ -71,7 +72,7 @@ void SolidLink<D>::exchange(const coupler::Window& window, const Particles<D>& p
     if (record_) record_->add(window, report_, solid_);
 }
 
-template <int D>
+template<int D>
 void SolidLink<D>::send(const coupler::Window& window, const Particles<D>& particles, const coupler::FacetLoads& loads)
 {
     const auto scope = session_.timers().scope("interface: send");
@@ -80,23 +81,20 @@ void SolidLink<D>::send(const coupler::Window& window, const Particles<D>& parti
     last_region_ = region;
 }
 
-template <int D>
-void SolidLink<D>::receive()
+template<int D> void SolidLink<D>::receive()
 {
     const auto scope = session_.timers().scope("interface: wait for the solid");
     batch_ = interface_.receive(solid_);
 }
 
-template <int D>
-void SolidLink<D>::move_walls()
+template<int D> void SolidLink<D>::move_walls()
 {
     set_interface_motion(walls_, batch_);
     observer_.set_facet_count(batch_.facet_ids.size());
 }
 
 /// Force, moment and work that travel with the load: sums over all ranks.
-template <int D>
-void SolidLink<D>::sum_load(const EnergyLedger<D>& ledger)
+template<int D> void SolidLink<D>::sum_load(const EnergyLedger<D>& ledger)
 {
     const Resultant load = resultant(observer_.loads(), walls_, batch_, session_.comm());
     report_.force = load.force;
@@ -105,26 +103,23 @@ void SolidLink<D>::sum_load(const EnergyLedger<D>& ledger)
     report_.wait = session_.comm().max(interface_.wait_seconds());
 }
 
-template <int D>
-void SolidLink<D>::report(const EnergyBalance& energies)
+template<int D> void SolidLink<D>::report(const EnergyBalance& energies)
 {
     report_.kinetic = energies.kinetic;
     report_.potential = energies.potential;
     report_.internal = energies.internal;
     report_.external_work = energies.work_by_walls;
     report_.outflow = energies.outflow_energy;
-    report_.dissipated = energies.dissipation_riemann + energies.dissipation_mass_flux + energies.dissipation_walls +
-                         energies.viscous;
+    report_.dissipated =
+        energies.dissipation_riemann + energies.dissipation_mass_flux + energies.dissipation_walls + energies.viscous;
 }
 
-template <int D>
-void SolidLink<D>::write_row()
+template<int D> void SolidLink<D>::write_row()
 {
     if (record_) record_->write();
 }
 
-template <int D>
-void SolidLink<D>::summarise(base::JsonObject& figures) const
+template<int D> void SolidLink<D>::summarise(base::JsonObject& figures) const
 {
     const auto& comm = session_.comm();
     const std::int64_t bytes = interface_.bytes_received();
@@ -133,10 +128,11 @@ void SolidLink<D>::summarise(base::JsonObject& figures) const
         .set("bytes_received_least", -comm.max(-bytes))
         .set("bytes_sent_all_ranks", comm.sum(interface_.bytes_sent()));
     if (!record_) return;
-    figures.set("interface_work_mismatch", record_->audit().worst_mismatch()).set("energy_drift", record_->energy_drift());
+    figures.set("interface_work_mismatch", record_->audit().worst_mismatch())
+        .set("energy_drift", record_->energy_drift());
 }
 
 template class SolidLink<2>;
 template class SolidLink<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -16,8 +16,7 @@ namespace sph {
 ///
 /// At t_n the fluid sends the load of its step n - 1 and the next dt, and receives the surface's motion at t_n, with
 /// which its moving walls start step n. Both sides then compute t_n -> t_n+1 at the same time.
-template <int D>
-class SolidLink {
+template<int D> class SolidLink {
 public:
     SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search, Walls<D>& walls);
 
@@ -55,13 +54,13 @@ private:
     Walls<D>& walls_;
     double region_margin_;
     double region_step_;
-    coupler::RegionBox last_region_;  ///< of the step before: its facets still bear the load that is sent now
+    coupler::RegionBox last_region_; ///< of the step before: its facets still bear the load that is sent now
     coupler::FluidInterface interface_;
     LoadObserver<D> observer_;
     coupler::FacetBatch batch_;
     coupler::FluidReport report_;
     coupler::SolidReport solid_;
-    std::optional<coupler::InterfaceRecord> record_;  ///< on rank 0
+    std::optional<coupler::InterfaceRecord> record_; ///< on rank 0
 };
 
-}  // namespace sph
+} // namespace sph

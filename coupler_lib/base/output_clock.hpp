@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    static constexpr double tolerance_ = 1e-9;  // of an interval: a time short of it by round-off counts
+    static constexpr double tolerance_ = 1e-9; // of an interval: a time short of it by round-off counts
 
     void begin(double time)
     {
@@ -41,4 +41,4 @@ private:
     double origin_ = 0, last_ = 0;
 };
 
-}  // namespace base
+} // namespace base

@@ -15,7 +15,7 @@ std::vector<std::int64_t> incoming_sizes(const Communicator& comm, const std::ve
     return incoming;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<std::vector<char>> exchange_bytes(const Communicator& comm, const std::vector<std::vector<char>>& buffers)
 {
@@ -39,4 +39,4 @@ std::vector<std::vector<char>> exchange_bytes(const Communicator& comm, const st
     return received;
 }
 
-}  // namespace base
+} // namespace base

@@ -15,8 +15,7 @@ class VectorCheck {
 public:
     VectorCheck(const base::ConfigReader& reader, int dimension)
         : reader_(reader), dimension_(static_cast<std::size_t>(dimension))
-    {
-    }
+    {}
 
     void required(const std::vector<double>& numbers, const std::string& path) const
     {
@@ -83,8 +82,10 @@ void check_probes(FluidConfig& config, const base::ConfigReader& reader, const V
         ProbeConfig& probe = config.probes[k];
         const std::string path = element("probes", k);
         const std::string column = probe.name + "." + probe.quantity;
-        base::require_input(names.insert(column).second, reader.where(path), ": a probe \"", column, "\" exists already");
-        if (probe.quantity == "pressure" || probe.quantity == "velocity") vectors.required(probe.point, path + ".point");
+        base::require_input(names.insert(column).second, reader.where(path), ": a probe \"", column,
+                            "\" exists already");
+        if (probe.quantity == "pressure" || probe.quantity == "velocity")
+            vectors.required(probe.point, path + ".point");
         if (!probe.low.empty() || !probe.high.empty()) vectors.box(probe.low, probe.high, path);
         base::require_input(probe.axis != "z" || config.domain.dimension == 3, reader.where(path),
                             ": axis z exists in 3D only");
@@ -95,13 +96,13 @@ void check_walls(const FluidConfig& config, const base::ConfigReader& reader)
 {
     std::set<std::string> names;
     for (std::size_t k = 0; k < config.walls.size(); ++k) {
-        base::require_input(names.insert(config.walls[k].name).second, reader.where(element("walls", k)),
-                            ": a wall \"", config.walls[k].name, "\" exists already");
+        base::require_input(names.insert(config.walls[k].name).second, reader.where(element("walls", k)), ": a wall \"",
+                            config.walls[k].name, "\" exists already");
         wall_shape(config.walls[k], config.domain.dimension);
     }
 }
 
-}  // namespace
+} // namespace
 
 FluidConfig read_fluid_config(base::ConfigReader& reader)
 {
@@ -130,4 +131,4 @@ FluidConfig read_fluid_config(base::ConfigReader& reader)
     return config;
 }
 
-}  // namespace sph
+} // namespace sph

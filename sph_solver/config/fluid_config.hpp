@@ -30,4 +30,4 @@ struct FluidConfig {
 /// Throws Error(bad_input) with file, line and column. What must fit together across tables is checked by the setup.
 FluidConfig read_fluid_config(base::ConfigReader& reader);
 
-}  // namespace sph
+} // namespace sph

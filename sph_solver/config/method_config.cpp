@@ -16,9 +16,13 @@ base::Table<TimeConfig> time_table()
 {
     return base::Table<TimeConfig>("physical time and time step; a coupled run takes its end from coupling.toml")
         .key("start", &TimeConfig::start, {.unit = "s", .doc = "time of the initial state"})
-        .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of the run, needed when the fluid runs alone", .min = 0})
+        .key("end", &TimeConfig::end,
+             {.unit = "s", .doc = "end of the run, needed when the fluid runs alone", .min = 0})
         .key("cfl", &TimeConfig::cfl,
-             {.unit = "-", .doc = "dt is about cfl h / c, on a ladder of steps; clean up to 0.7 with rk2, 0.9 with rk3, 1 with rk4", .max = 2.0, .positive = true})
+             {.unit = "-",
+              .doc = "dt is about cfl h / c, on a ladder of steps; clean up to 0.7 with rk2, 0.9 with rk3, 1 with rk4",
+              .max = 2.0,
+              .positive = true})
         .key("fixed_dt", &TimeConfig::fixed_dt,
              {.unit = "s", .doc = "constant time step instead of the CFL rule; 0: the CFL rule", .min = 0});
 }
@@ -39,7 +43,8 @@ base::Table<LiquidConfig> liquid_table()
     return base::Table<LiquidConfig>("the liquid: p = (rho0 c0^2 / 7) ((rho / rho0)^7 - 1)")
         .key("density", &LiquidConfig::density, {.unit = "kg/m^3", .doc = "reference density rho0", .positive = true})
         .key("sound_speed", &LiquidConfig::sound_speed,
-             {.unit = "m/s", .doc = "numerical speed of sound c0 at rho0, about 10 times the largest speed expected",
+             {.unit = "m/s",
+              .doc = "numerical speed of sound c0 at rho0, about 10 times the largest speed expected",
               .positive = true,
               .required = true});
 }
@@ -52,7 +57,8 @@ base::Table<NumericsConfig> numerics_table()
               .choices = {"van_albada", "none", "first_order"}})
         .key("riemann", &NumericsConfig::riemann, {.doc = "Riemann solver", .choices = {"exact"}})
         .key("integrator", &NumericsConfig::integrator,
-             {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order", .choices = {"rk2", "rk3", "rk4"}});
+             {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order",
+              .choices = {"rk2", "rk3", "rk4"}});
 }
 
 base::Table<ParallelConfig> parallel_table()
@@ -64,4 +70,4 @@ base::Table<ParallelConfig> parallel_table()
              {.unit = "-", .doc = "neighbour list rebuilds between two cuts, at least", .min = 1});
 }
 
-}  // namespace sph
+} // namespace sph

@@ -11,7 +11,7 @@ namespace sph {
 /// [domain]
 struct DomainConfig {
     int dimension = 2;
-    std::vector<double> gravity;  ///< as many numbers as dimensions; none: no gravity
+    std::vector<double> gravity; ///< as many numbers as dimensions; none: no gravity
 };
 
 /// [time]
@@ -57,4 +57,4 @@ base::Table<LiquidConfig> liquid_table();
 base::Table<NumericsConfig> numerics_table();
 base::Table<ParallelConfig> parallel_table();
 
-}  // namespace sph
+} // namespace sph

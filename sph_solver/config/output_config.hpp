@@ -27,4 +27,4 @@ struct ProbeConfig {
 base::Table<OutputConfig> output_table();
 base::Table<ProbeConfig> probe_table();
 
-}  // namespace sph
+} // namespace sph

@@ -18,8 +18,10 @@ void require_numbers(const std::vector<double>& numbers, std::size_t count, cons
 
 void add_polyline(WallShape& result, const WallConfig& wall)
 {
-    base::require_input(wall.points.size() >= 2, "wall \"", wall.name, "\": a polyline needs two points at least, points = "
-                        "[[x, y], ...]; it has ", wall.points.size());
+    base::require_input(wall.points.size() >= 2, "wall \"", wall.name,
+                        "\": a polyline needs two points at least, points = "
+                        "[[x, y], ...]; it has ",
+                        wall.points.size());
     for (const auto& point : wall.points) {
         require_numbers(point, 2, wall, "a point of the polyline");
         result.vertices.insert(result.vertices.end(), point.begin(), point.end());
@@ -104,12 +106,12 @@ void require_extent(const WallShape& wall)
             const auto at = [&](int v) { return wall.vertices[static_cast<std::size_t>(v) * dimension + d]; };
             length_squared += std::pow(at(facet[1]) - at(facet[0]), 2);
         }
-        base::require_input(length_squared > 0.0, "wall \"", wall.name, "\": points ", facet[0] + 1, " and ", facet[1] + 1,
-                            " are the same; remove one");
+        base::require_input(length_squared > 0.0, "wall \"", wall.name, "\": points ", facet[0] + 1, " and ",
+                            facet[1] + 1, " are the same; remove one");
     }
 }
 
-}  // namespace
+} // namespace
 
 base::Table<WallConfig> wall_table()
 {
@@ -148,4 +150,4 @@ WallShape wall_shape(const WallConfig& wall, int dimension)
     return result;
 }
 
-}  // namespace sph
+} // namespace sph

@@ -29,12 +29,12 @@ base::Table<WallConfig> wall_table();
 struct WallShape {
     std::string name = {};
     int dimension = 2;
-    std::vector<double> vertices;             ///< points * dimension [m]
-    std::vector<std::array<int, 4>> facets;   ///< indices of vertices
+    std::vector<double> vertices;           ///< points * dimension [m]
+    std::vector<std::array<int, 4>> facets; ///< indices of vertices
 };
 
 /// Facets of a wall. Throws Error(bad_input), naming the wall, for points of the wrong dimension, missing or
 /// contradictory keys and facets of no extent.
 WallShape wall_shape(const WallConfig& wall, int dimension);
 
-}  // namespace sph
+} // namespace sph

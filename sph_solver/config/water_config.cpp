@@ -6,7 +6,8 @@ namespace sph {
 base::Table<WaterConfig> water_table()
 {
     return base::Table<WaterConfig>("a body of water at the start")
-        .key("shape", &WaterConfig::shape, {.doc = "box: low to high; disc: rings about a centre", .choices = {"box", "disc"}})
+        .key("shape", &WaterConfig::shape,
+             {.doc = "box: low to high; disc: rings about a centre", .choices = {"box", "disc"}})
         .key("low", &WaterConfig::low, {.unit = "m", .doc = "lowest corner of a box"})
         .key("high", &WaterConfig::high, {.unit = "m", .doc = "highest corner of a box"})
         .key("centre", &WaterConfig::centre, {.unit = "m", .doc = "centre of a disc"})
@@ -18,10 +19,13 @@ base::Table<InitialConfig> initial_table()
 {
     return base::Table<InitialConfig>("pressure at the start")
         .key("state", &InitialConfig::state,
-             {.doc = "hydrostatic: from the free surface down; uniform: one pressure", .choices = {"hydrostatic", "uniform"}})
-        .key("level", &InitialConfig::level,
-             {.unit = "m",
-              .doc = "height of the free surface, measured against gravity from the origin; inf: top of the highest water"})
+             {.doc = "hydrostatic: from the free surface down; uniform: one pressure",
+              .choices = {"hydrostatic", "uniform"}})
+        .key(
+            "level", &InitialConfig::level,
+            {.unit = "m",
+             .doc =
+                 "height of the free surface, measured against gravity from the origin; inf: top of the highest water"})
         .key("pressure", &InitialConfig::pressure, {.unit = "Pa", .doc = "pressure of the uniform state"});
 }
 
@@ -34,4 +38,4 @@ base::Table<OutflowConfig> outflow_table()
              {.unit = "-", .doc = "direction out of the domain; its length does not matter", .required = true});
 }
 
-}  // namespace sph
+} // namespace sph

@@ -37,4 +37,4 @@ base::Table<WaterConfig> water_table();
 base::Table<InitialConfig> initial_table();
 base::Table<OutflowConfig> outflow_table();
 
-}  // namespace sph
+} // namespace sph

@@ -6,13 +6,11 @@
 
 namespace sph {
 
-template <int D>
+template<int D>
 NeighbourSearch<D>::NeighbourSearch(double support, double skin) : support_(support), skin_(skin), grid_(support + skin)
-{
-}
+{}
 
-template <int D>
-void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
+template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
 {
     find_cells(particles.position);
     list_.offsets.assign(1, 0);
@@ -35,8 +33,7 @@ void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D
 }
 
 /// Ranges of equal cell in the sorted particles.
-template <int D>
-void NeighbourSearch<D>::find_cells(const std::vector<Vec<D>>& position)
+template<int D> void NeighbourSearch<D>::find_cells(const std::vector<Vec<D>>& position)
 {
     cell_keys_.clear();
     cell_begins_.clear();
@@ -52,8 +49,7 @@ void NeighbourSearch<D>::find_cells(const std::vector<Vec<D>>& position)
 
 /// The 3^D cells around one are 3^(D-1) rows along x, each a range of consecutive local indices. Cells are visited in
 /// ascending order, so the search for each row goes on where it stopped for the cell before.
-template <int D>
-auto NeighbourSearch<D>::runs_around(CellKey key) -> Runs
+template<int D> auto NeighbourSearch<D>::runs_around(CellKey key) -> Runs
 {
     const auto centre = CellGrid<D>::cell(key);
     Runs runs{};
@@ -72,8 +68,7 @@ auto NeighbourSearch<D>::runs_around(CellKey key) -> Runs
     return runs;
 }
 
-template <int D>
-void NeighbourSearch<D>::append_row(const std::vector<Vec<D>>& position, int i, const Runs& runs)
+template<int D> void NeighbourSearch<D>::append_row(const std::vector<Vec<D>>& position, int i, const Runs& runs)
 {
     std::size_t candidates = 0;
     for (const auto& [begin, end] : runs) candidates += static_cast<std::size_t>(end - begin);
@@ -92,8 +87,7 @@ void NeighbourSearch<D>::append_row(const std::vector<Vec<D>>& position, int i, 
     list_.indices.resize(count);
 }
 
-template <int D>
-void NeighbourSearch<D>::apply_filter(const Particles<D>& particles, const PairFilter<D>& filter)
+template<int D> void NeighbourSearch<D>::apply_filter(const Particles<D>& particles, const PairFilter<D>& filter)
 {
     std::size_t kept = 0;
     std::size_t read = 0;
@@ -109,8 +103,7 @@ void NeighbourSearch<D>::apply_filter(const Particles<D>& particles, const PairF
     list_.indices.resize(kept);
 }
 
-template <int D>
-double NeighbourSearch<D>::largest_displacement(const Particles<D>& particles) const
+template<int D> double NeighbourSearch<D>::largest_displacement(const Particles<D>& particles) const
 {
     double largest = 0.0;
     for (std::size_t k = 0; k < built_at_.size(); ++k) {
@@ -123,4 +116,4 @@ double NeighbourSearch<D>::largest_displacement(const Particles<D>& particles) c
 template class NeighbourSearch<2>;
 template class NeighbourSearch<3>;
 
-}  // namespace sph
+} // namespace sph

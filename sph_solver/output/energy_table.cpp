@@ -15,14 +15,14 @@ std::vector<std::string> header(int dimension)
     for (const char* name : {"work_by_walls", "work_by_interface"}) columns.push_back(name + joule);
     columns.push_back("outflow_mass" + kilogram);
     for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string("outflow_momentum_") + axis + momentum);
-    for (const char* name : {"outflow_energy", "dissipation_riemann", "dissipation_mass_flux", "dissipation_walls", "viscous",
-                             "balance_error"}) {
+    for (const char* name : {"outflow_energy", "dissipation_riemann", "dissipation_mass_flux", "dissipation_walls",
+                             "viscous", "balance_error"}) {
         columns.push_back(name + joule);
     }
     return columns;
 }
 
-}  // namespace
+} // namespace
 
 EnergyTable::EnergyTable(const std::string& folder, int dimension) : file_(folder + "/energy.csv", header(dimension)) {}
 
@@ -34,4 +34,4 @@ void EnergyTable::write(const EnergyRow& row)
                row.dissipation_walls, row.viscous, row.balance_error});
 }
 
-}  // namespace sph
+} // namespace sph

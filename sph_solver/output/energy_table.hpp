@@ -11,22 +11,22 @@ namespace sph {
 /// One row of energy.csv: the whole fluid at one instant, works and dissipations cumulated since the start.
 /// Energies [J], in 2D per metre of depth [J/m]. Work is positive when done on the fluid, dissipation when energy is lost.
 struct EnergyRow {
-    double time = 0;                           ///< [s]
-    double dt = 0;                             ///< of the step that led here [s]
+    double time = 0; ///< [s]
+    double dt = 0;   ///< of the step that led here [s]
     double kinetic = 0;
     double potential = 0;
     double internal = 0;
-    double mass = 0;                           ///< of the water that is left [kg], [kg/m]
-    double work_by_walls = 0;                  ///< of walls that the configuration moves
-    double work_by_interface = 0;              ///< of the coupled solid's surface
-    double outflow_mass = 0;                   ///< [kg], [kg/m]
-    std::array<double, 3> outflow_momentum{};  ///< [kg m/s], [kg/s]
+    double mass = 0;                          ///< of the water that is left [kg], [kg/m]
+    double work_by_walls = 0;                 ///< of walls that the configuration moves
+    double work_by_interface = 0;             ///< of the coupled solid's surface
+    double outflow_mass = 0;                  ///< [kg], [kg/m]
+    std::array<double, 3> outflow_momentum{}; ///< [kg m/s], [kg/s]
     double outflow_energy = 0;
     double dissipation_riemann = 0;
     double dissipation_mass_flux = 0;
     double dissipation_walls = 0;
     double viscous = 0;
-    double balance_error = 0;                  ///< what none of the columns explains
+    double balance_error = 0; ///< what none of the columns explains
 
     [[nodiscard]] double total() const { return kinetic + potential + internal; }
 };
@@ -42,4 +42,4 @@ private:
     base::CsvWriter file_;
 };
 
-}  // namespace sph
+} // namespace sph

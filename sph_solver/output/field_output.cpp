@@ -21,37 +21,30 @@ void append(std::vector<double>& numbers, double value) { numbers.push_back(valu
 void append(std::vector<double>& numbers, std::int64_t value) { numbers.push_back(static_cast<double>(value)); }
 
 /// Vectors always take three numbers in the file.
-template <int Rows>
-void append(std::vector<double>& numbers, const Eigen::Matrix<double, Rows, 1>& vector)
+template<int Rows> void append(std::vector<double>& numbers, const Eigen::Matrix<double, Rows, 1>& vector)
 {
     for (int d = 0; d < 3; ++d) numbers.push_back(d < Rows ? vector[d] : 0.0);
 }
 
-template <int D>
-void append(std::vector<double>&, const Eigen::Matrix<double, D, D>&)
-{
-}
+template<int D> void append(std::vector<double>&, const Eigen::Matrix<double, D, D>&) {}
 
-template <class T>
-std::vector<double> owned_values(const std::vector<T>& column, const std::vector<int>& owned)
+template<class T> std::vector<double> owned_values(const std::vector<T>& column, const std::vector<int>& owned)
 {
     std::vector<double> numbers;
     for (const int i : owned) append(numbers, column[static_cast<std::size_t>(i)]);
     return numbers;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
+template<int D>
 FieldOutput<D>::FieldOutput(const std::string& folder, const base::Communicator& comm)
     : comm_(comm), writer_(folder + "/fields", comm)
-{
-}
+{}
 
-template <int D>
-void FieldOutput<D>::write(double time, const Particles<D>& particles)
+template<int D> void FieldOutput<D>::write(double time, const Particles<D>& particles)
 {
-    std::deque<std::vector<double>> values;  // keeps its elements in place while it grows
+    std::deque<std::vector<double>> values; // keeps its elements in place while it grows
     std::vector<base::XdmfField> fields;
     for_each_field(particles, [&]<class T>(const FieldInfo& info, const std::vector<T>& column) {
         if (!is_written(info.name)) return;
@@ -68,4 +61,4 @@ void FieldOutput<D>::write(double time, const Particles<D>& particles)
 template class FieldOutput<2>;
 template class FieldOutput<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -10,8 +10,7 @@ namespace sph {
 
 /// Writes all particles to fields.h5 with fields.xdmf beside it, for ParaView: the point cloud with velocity, pressure,
 /// density, volume, mass, number and rank, units and descriptions from the field table.
-template <int D>
-class FieldOutput {
+template<int D> class FieldOutput {
 public:
     /// \param folder where the two files go; collective
     FieldOutput(const std::string& folder, const base::Communicator& comm);
@@ -24,4 +23,4 @@ private:
     base::XdmfWriter writer_;
 };
 
-}  // namespace sph
+} // namespace sph

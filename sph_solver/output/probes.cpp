@@ -9,8 +9,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <int D>
-bool in_box(const ProbeConfig& probe, const Vec<D>& x)
+template<int D> bool in_box(const ProbeConfig& probe, const Vec<D>& x)
 {
     for (std::size_t d = 0; d < probe.low.size(); ++d) {
         const double coordinate = x[static_cast<int>(d)];
@@ -28,10 +27,9 @@ std::string unit_of(const std::string& quantity, int dimension)
     return "[m]";
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
-std::vector<std::string> Probes<D>::columns() const
+template<int D> std::vector<std::string> Probes<D>::columns() const
 {
     std::vector<std::string> names;
     for (const ProbeConfig& probe : probes_) {
@@ -45,7 +43,7 @@ std::vector<std::string> Probes<D>::columns() const
     return names;
 }
 
-template <int D>
+template<int D>
 std::vector<double> Probes<D>::values(const Particles<D>& particles, const base::Communicator& comm) const
 {
     std::vector<double> values;
@@ -61,7 +59,7 @@ std::vector<double> Probes<D>::values(const Particles<D>& particles, const base:
     return values;
 }
 
-template <int D>
+template<int D>
 void Probes<D>::append_average(std::vector<double>& values, const ProbeConfig& probe, const Particles<D>& particles,
                                const base::Communicator& comm) const
 {
@@ -85,7 +83,7 @@ void Probes<D>::append_average(std::vector<double>& values, const ProbeConfig& p
     for (std::size_t k = 1; k < sums.size(); ++k) values.push_back(weight > 0.0 ? sums[k].value() / weight : 0.0);
 }
 
-template <int D>
+template<int D>
 double Probes<D>::extreme(const ProbeConfig& probe, const Particles<D>& particles, const base::Communicator& comm) const
 {
     const int axis = probe.axis == "x" ? 0 : probe.axis == "y" ? 1 : 2;
@@ -99,14 +97,15 @@ double Probes<D>::extreme(const ProbeConfig& probe, const Particles<D>& particle
     return std::isfinite(furthest) ? sign * (furthest + 0.5 * spacing_) : std::numeric_limits<double>::quiet_NaN();
 }
 
-template <int D>
+template<int D>
 double Probes<D>::total(const ProbeConfig& probe, const Particles<D>& particles, const base::Communicator& comm) const
 {
     base::ReproducibleSum sum;
     for (const int owned : particles.owned) {
         const auto j = static_cast<std::size_t>(owned);
         if (!in_box<D>(probe, particles.position[j])) continue;
-        sum.add(probe.quantity == "mass" ? particles.mass[j] : 0.5 * particles.momentum[j].squaredNorm() / particles.mass[j]);
+        sum.add(probe.quantity == "mass" ? particles.mass[j]
+                                         : 0.5 * particles.momentum[j].squaredNorm() / particles.mass[j]);
     }
     return comm.total(sum).value();
 }
@@ -114,4 +113,4 @@ double Probes<D>::total(const ProbeConfig& probe, const Particles<D>& particles,
 template class Probes<2>;
 template class Probes<3>;
 
-}  // namespace sph
+} // namespace sph

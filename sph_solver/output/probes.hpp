@@ -17,13 +17,11 @@ namespace sph {
 ///     front, back         largest, smallest coordinate along the axis of the particles in the box, half a spacing further;
 ///                         NaN without particles
 ///     mass, kinetic       sums over the particles in the box
-template <int D>
-class Probes {
+template<int D> class Probes {
 public:
     Probes(std::vector<ProbeConfig> probes, const CubicSpline<D>& kernel, double spacing)
         : probes_(std::move(probes)), kernel_(kernel), spacing_(spacing)
-    {
-    }
+    {}
 
     /// Column names "name.quantity[unit]"; a vector has a column for each component.
     [[nodiscard]] std::vector<std::string> columns() const;
@@ -34,12 +32,14 @@ public:
 private:
     void append_average(std::vector<double>& values, const ProbeConfig& probe, const Particles<D>& particles,
                         const base::Communicator& comm) const;
-    [[nodiscard]] double extreme(const ProbeConfig& probe, const Particles<D>& particles, const base::Communicator& comm) const;
-    [[nodiscard]] double total(const ProbeConfig& probe, const Particles<D>& particles, const base::Communicator& comm) const;
+    [[nodiscard]] double extreme(const ProbeConfig& probe, const Particles<D>& particles,
+                                 const base::Communicator& comm) const;
+    [[nodiscard]] double total(const ProbeConfig& probe, const Particles<D>& particles,
+                               const base::Communicator& comm) const;
 
     std::vector<ProbeConfig> probes_;
     CubicSpline<D> kernel_;
     double spacing_;
 };
 
-}  // namespace sph
+} // namespace sph

@@ -16,8 +16,7 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t bits)
     return hash ^ (hash >> 31);
 }
 
-template <class T>
-std::uint64_t mix_value(std::uint64_t hash, const T& value)
+template<class T> std::uint64_t mix_value(std::uint64_t hash, const T& value)
 {
     static_assert(sizeof(T) % 8 == 0);
     for (std::size_t k = 0; k < sizeof(T) / 8; ++k) {
@@ -28,10 +27,9 @@ std::uint64_t mix_value(std::uint64_t hash, const T& value)
     return hash;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
-std::string state_hash(const Particles<D>& particles, const base::Communicator& comm)
+template<int D> std::string state_hash(const Particles<D>& particles, const base::Communicator& comm)
 {
     std::uint64_t sum = 0;
     for (const int owned : particles.owned) {
@@ -51,4 +49,4 @@ std::string state_hash(const Particles<D>& particles, const base::Communicator& 
 template std::string state_hash(const Particles<2>&, const base::Communicator&);
 template std::string state_hash(const Particles<3>&, const base::Communicator&);
 
-}  // namespace sph
+} // namespace sph

@@ -12,7 +12,6 @@ namespace sph {
 ///
 /// Each particle is hashed with its number, and the hashes are added up modulo 2^64: the sum depends on every bit of
 /// every particle, but neither on their order nor on the partition. Collective.
-template <int D>
-std::string state_hash(const Particles<D>& particles, const base::Communicator& comm);
+template<int D> std::string state_hash(const Particles<D>& particles, const base::Communicator& comm);
 
-}  // namespace sph
+} // namespace sph

@@ -18,18 +18,16 @@ std::vector<BlockWork> gather_sorted(const base::Communicator& comm, const std::
     return all;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
-int BlockMap<D>::owner(CellKey block) const
+template<int D> int BlockMap<D>::owner(CellKey block) const
 {
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), block);
     if (found == blocks_.end() || *found != block) return unknown;
     return owners_[static_cast<std::size_t>(found - blocks_.begin())];
 }
 
-template <int D>
-void BlockMap<D>::repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine)
+template<int D> void BlockMap<D>::repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine)
 {
     blocks_.clear();
     std::vector<std::int64_t> work;
@@ -44,8 +42,7 @@ void BlockMap<D>::repartition(const base::Communicator& comm, const std::vector<
     owners_ = comm.gather_all(comm.is_root() ? partition(graph(work), comm.size()) : std::vector<int>{});
 }
 
-template <int D>
-void BlockMap<D>::adopt(const base::Communicator& comm, const std::vector<BlockWork>& entered)
+template<int D> void BlockMap<D>::adopt(const base::Communicator& comm, const std::vector<BlockWork>& entered)
 {
     std::vector<CellKey> blocks;
     std::vector<int> owners;
@@ -59,8 +56,7 @@ void BlockMap<D>::adopt(const base::Communicator& comm, const std::vector<BlockW
 
 /// Blocks as vertices; edges to the blocks that touch them, the more costly to cut the larger the shared face and the
 /// more work lies on both sides of it.
-template <int D>
-WeightedGraph BlockMap<D>::graph(const std::vector<std::int64_t>& work) const
+template<int D> WeightedGraph BlockMap<D>::graph(const std::vector<std::int64_t>& work) const
 {
     WeightedGraph graph;
     graph.vertex_weights = work;
@@ -84,8 +80,7 @@ WeightedGraph BlockMap<D>::graph(const std::vector<std::int64_t>& work) const
     return graph;
 }
 
-template <int D>
-void BlockMap<D>::insert(const std::vector<CellKey>& blocks, const std::vector<int>& owners)
+template<int D> void BlockMap<D>::insert(const std::vector<CellKey>& blocks, const std::vector<int>& owners)
 {
     std::vector<CellKey> merged;
     std::vector<int> merged_owners;
@@ -103,4 +98,4 @@ void BlockMap<D>::insert(const std::vector<CellKey>& blocks, const std::vector<i
 template class BlockMap<2>;
 template class BlockMap<3>;
 
-}  // namespace sph
+} // namespace sph

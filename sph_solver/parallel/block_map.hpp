@@ -19,8 +19,7 @@ struct BlockWork {
 };
 
 /// Which rank owns which block of space; the same on every rank.
-template <int D>
-class BlockMap {
+template<int D> class BlockMap {
 public:
     static constexpr int unknown = -1;
 
@@ -46,13 +45,12 @@ private:
     void insert(const std::vector<CellKey>& blocks, const std::vector<int>& owners);
 
     CellGrid<D> grid_;
-    std::vector<CellKey> blocks_;  ///< ascending
+    std::vector<CellKey> blocks_; ///< ascending
     std::vector<int> owners_;
 };
 
 /// Calls visit(key) for the 3^D - 1 blocks around one, ascending.
-template <int D, class Visitor>
-void for_each_adjacent(CellKey block, Visitor&& visit)
+template<int D, class Visitor> void for_each_adjacent(CellKey block, Visitor&& visit)
 {
     const auto centre = CellGrid<D>::cell(block);
     constexpr int count = D == 2 ? 9 : 27;
@@ -64,4 +62,4 @@ void for_each_adjacent(CellKey block, Visitor&& visit)
     }
 }
 
-}  // namespace sph
+} // namespace sph

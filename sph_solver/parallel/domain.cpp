@@ -19,16 +19,14 @@ std::vector<BlockWork> as_list(const std::map<CellKey, std::int64_t>& work, int 
     return list;
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
+template<int D>
 Domain<D>::Domain(const base::Communicator& comm, const CellGrid<D>& grid, const RebalanceSettings& settings)
     : comm_(comm), cells_(grid), blocks_(cells_per_block * grid.cell_size()), settings_(settings)
-{
-}
+{}
 
-template <int D>
-void Domain<D>::redistribute(Particles<D>& particles)
+template<int D> void Domain<D>::redistribute(Particles<D>& particles)
 {
     if (comm_.size() == 1) return sort_alone(particles);
     drop_halo(particles);
@@ -37,16 +35,11 @@ void Domain<D>::redistribute(Particles<D>& particles)
     exchange_halo(particles);
 }
 
-template <int D>
-void Domain<D>::sort_alone(Particles<D>& particles)
-{
-    sort_canonically(particles, cells_);
-}
+template<int D> void Domain<D>::sort_alone(Particles<D>& particles) { sort_canonically(particles, cells_); }
 
 /// Every block with particles has an owner afterwards: by a new cut when there is none yet or the work has become too
 /// uneven, else by giving newly entered blocks away.
-template <int D>
-void Domain<D>::update_blocks(const Particles<D>& particles)
+template<int D> void Domain<D>::update_blocks(const Particles<D>& particles)
 {
     ++rebuilds_since_cut_;
     const bool cut = blocks_.empty() || unbalanced();
@@ -68,8 +61,7 @@ void Domain<D>::update_blocks(const Particles<D>& particles)
 
 /// The largest work over the mean, as recorded since the last cut. A limit that the last cut could not keep is
 /// raised, or few large blocks would be cut again and again in vain.
-template <int D>
-bool Domain<D>::unbalanced()
+template<int D> bool Domain<D>::unbalanced()
 {
     std::int64_t mine = 0;
     for (const BlockWork& block : work_) mine += block.work;
@@ -82,8 +74,7 @@ bool Domain<D>::unbalanced()
            imbalance > std::max(settings_.limit, 1.1 * best_imbalance_);
 }
 
-template <int D>
-void Domain<D>::migrate(Particles<D>& particles)
+template<int D> void Domain<D>::migrate(Particles<D>& particles)
 {
     std::vector<std::vector<char>> leaving(static_cast<std::size_t>(comm_.size()));
     std::vector<std::uint8_t> staying(particles.size(), 1);
@@ -100,8 +91,7 @@ void Domain<D>::migrate(Particles<D>& particles)
     particles.own_all();
 }
 
-template <int D>
-void Domain<D>::exchange_halo(Particles<D>& particles)
+template<int D> void Domain<D>::exchange_halo(Particles<D>& particles)
 {
     const auto sent = halo_for_ranks(particles);
     std::vector<std::vector<char>> messages(sent.size());
@@ -118,8 +108,7 @@ void Domain<D>::exchange_halo(Particles<D>& particles)
 
 /// Which of my particles each rank needs: those within reach of a block of that rank. Blocks are at least as wide as
 /// the reach, so only the blocks that touch the particle's own come into question.
-template <int D>
-std::vector<std::vector<int>> Domain<D>::halo_for_ranks(const Particles<D>& particles) const
+template<int D> std::vector<std::vector<int>> Domain<D>::halo_for_ranks(const Particles<D>& particles) const
 {
     struct ForeignBlock {
         CellKey key;
@@ -147,8 +136,7 @@ std::vector<std::vector<int>> Domain<D>::halo_for_ranks(const Particles<D>& part
     return sent;
 }
 
-template <int D>
-bool Domain<D>::within_reach(const Vec<D>& x, CellKey block) const
+template<int D> bool Domain<D>::within_reach(const Vec<D>& x, CellKey block) const
 {
     const double size = blocks_.grid().cell_size();
     const auto cell = CellGrid<D>::cell(block);
@@ -158,11 +146,11 @@ bool Domain<D>::within_reach(const Vec<D>& x, CellKey block) const
         const double outside = std::max({low - x[d], x[d] - (low + size), 0.0});
         distance_squared += outside * outside;
     }
-    const double reach = cells_.cell_size() * (1.0 + 1e-9);  // round-off in the block's edges must not lose anyone
+    const double reach = cells_.cell_size() * (1.0 + 1e-9); // round-off in the block's edges must not lose anyone
     return distance_squared <= reach * reach;
 }
 
-template <int D>
+template<int D>
 void Domain<D>::make_scatter(const std::vector<std::vector<int>>& sent, const std::vector<int>& received,
                              const std::vector<int>& new_index)
 {
@@ -181,24 +169,21 @@ void Domain<D>::make_scatter(const std::vector<std::vector<int>>& sent, const st
     scatter_ = base::Scatter(comm_, std::move(plan));
 }
 
-template <int D>
-void Domain<D>::refresh_state(Particles<D>& particles) const
+template<int D> void Domain<D>::refresh_state(Particles<D>& particles) const
 {
     scatter_.forward(particles.position, particles.volume, particles.mass, particles.momentum);
 }
 
-template <int D>
-void Domain<D>::refresh_gradients(Particles<D>& particles) const
+template<int D> void Domain<D>::refresh_gradients(Particles<D>& particles) const
 {
     scatter_.forward(particles.density_gradient, particles.velocity_gradient);
 }
 
-template <int D>
-void Domain<D>::record_work(const Particles<D>& particles, std::span<const std::size_t> row_offsets)
+template<int D> void Domain<D>::record_work(const Particles<D>& particles, std::span<const std::size_t> row_offsets)
 {
     if (comm_.size() == 1) return;
     std::map<CellKey, std::int64_t> work;
-    constexpr std::int64_t per_particle = 10;  // what a particle costs beside its neighbours, in neighbours
+    constexpr std::int64_t per_particle = 10; // what a particle costs beside its neighbours, in neighbours
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
         const Vec<D>& x = particles.position[static_cast<std::size_t>(particles.owned[k])];
         work[blocks_.grid().key_of(x)] += per_particle + static_cast<std::int64_t>(row_offsets[k + 1] - row_offsets[k]);
@@ -209,4 +194,4 @@ void Domain<D>::record_work(const Particles<D>& particles, std::span<const std::
 template class Domain<2>;
 template class Domain<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -15,7 +15,7 @@ namespace sph {
 /// When to cut the domain anew.
 struct RebalanceSettings {
     double limit = 1.15;       ///< largest work of a rank over the mean that is put up with [-]
-    int rebuilds_between = 20;  ///< rebuilds that must pass between two cuts
+    int rebuilds_between = 20; ///< rebuilds that must pass between two cuts
 };
 
 /// The fluid spread over the ranks: who owns which particle and who needs copies of it.
@@ -24,8 +24,7 @@ struct RebalanceSettings {
 /// of blocks. A particle belongs to the owner of its block. Halo copies are all foreign particles within `reach` of a
 /// block of mine. Every particle's neighbours thus are present where it is owned, in the one canonical order, and
 /// results do not depend on the cut.
-template <int D>
-class Domain {
+template<int D> class Domain {
 public:
     /// \param grid the neighbour search's grid: its cells, `reach` wide, define the canonical order
     Domain(const base::Communicator& comm, const CellGrid<D>& grid, const RebalanceSettings& settings = {});
@@ -67,10 +66,10 @@ private:
     BlockMap<D> blocks_;
     RebalanceSettings settings_;
     base::Scatter scatter_;
-    std::vector<BlockWork> work_;     ///< of my blocks, from the last record_work
+    std::vector<BlockWork> work_; ///< of my blocks, from the last record_work
     int rebuilds_since_cut_ = 0;
     int cuts_ = 0;
-    double best_imbalance_ = 0.0;     ///< what the last cut achieved, 0: not measured yet
+    double best_imbalance_ = 0.0; ///< what the last cut achieved, 0: not measured yet
 };
 
-}  // namespace sph
+} // namespace sph

@@ -9,8 +9,7 @@
 namespace sph {
 
 /// Appends the conserved fields of particle i to a message.
-template <int D>
-void pack_particle(Particles<D>& particles, std::size_t i, std::vector<char>& message)
+template<int D> void pack_particle(Particles<D>& particles, std::size_t i, std::vector<char>& message)
 {
     for_each_field(particles, [&](const FieldInfo& info, auto& column) {
         if (info.role == Role::conserved) base::append_bytes(message, column[i]);
@@ -18,8 +17,7 @@ void pack_particle(Particles<D>& particles, std::size_t i, std::vector<char>& me
 }
 
 /// Appends the particles of a message to the columns, as owned or as halo copies; returns how many came.
-template <int D>
-int unpack_particles(Particles<D>& particles, const std::vector<char>& message, bool owned)
+template<int D> int unpack_particles(Particles<D>& particles, const std::vector<char>& message, bool owned)
 {
     int count = 0;
     const char* bytes = message.data();
@@ -35,4 +33,4 @@ int unpack_particles(Particles<D>& particles, const std::vector<char>& message, 
     return count;
 }
 
-}  // namespace sph
+} // namespace sph

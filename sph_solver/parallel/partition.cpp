@@ -29,7 +29,7 @@ std::vector<int> one_each(std::size_t count)
     return parts;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<int> partition(const WeightedGraph& graph, int parts)
 {
@@ -46,14 +46,14 @@ std::vector<int> partition(const WeightedGraph& graph, int parts)
     std::array<idx_t, METIS_NOPTIONS> options{};
     METIS_SetDefaultOptions(options.data());
     options[METIS_OPTION_SEED] = 1;
-    options[METIS_OPTION_UFACTOR] = 20;  // accepts 2 % more work than the mean
+    options[METIS_OPTION_UFACTOR] = 20; // accepts 2 % more work than the mean
     std::vector<idx_t> part(graph.size());
     const int status =
         METIS_PartGraphKway(&vertices, &constraints, offsets.data(), adjacency.data(), weights.data(), nullptr,
                             edges.data(), &part_count, nullptr, nullptr, options.data(), &cut, part.data());
-    base::require(status == METIS_OK, base::ExitCode::numerical_failure, "METIS could not cut a graph of ", graph.size(),
-                  " blocks into ", parts, " parts (status ", status, ")");
+    base::require(status == METIS_OK, base::ExitCode::numerical_failure, "METIS could not cut a graph of ",
+                  graph.size(), " blocks into ", parts, " parts (status ", status, ")");
     return {part.begin(), part.end()};
 }
 
-}  // namespace sph
+} // namespace sph

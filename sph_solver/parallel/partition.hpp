@@ -22,4 +22,4 @@ struct WeightedGraph {
 /// parts stay empty. Throws Error(numerical_failure) when METIS refuses.
 std::vector<int> partition(const WeightedGraph& graph, int parts);
 
-}  // namespace sph
+} // namespace sph

@@ -5,8 +5,7 @@
 
 namespace sph {
 
-template <int D>
-Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
+template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
 {
     WallSettings<D> settings;
     settings.spacing = config.resolution.spacing;
@@ -20,14 +19,14 @@ Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model)
     return walls;
 }
 
-template <int D>
-void require_dry_walls(const Walls<D>& walls, const base::Communicator& comm, double tolerance)
+template<int D> void require_dry_walls(const Walls<D>& walls, const base::Communicator& comm, double tolerance)
 {
     const Penetration mine = walls.penetration();
     const std::int64_t count = comm.sum(mine.count);
     const double deepest = comm.max(mine.deepest);
-    base::require_input(deepest <= tolerance, "water starts inside a wall: ", count, " particles, the deepest ", deepest,
-                        " dx; check [[water]] against [[walls]] (the solid is on the left of the walk through a wall's points)");
+    base::require_input(
+        deepest <= tolerance, "water starts inside a wall: ", count, " particles, the deepest ", deepest,
+        " dx; check [[water]] against [[walls]] (the solid is on the left of the walk through a wall's points)");
 }
 
 template Walls<2> make_walls(const FluidConfig&, const FluidModel<2>&);
@@ -35,4 +34,4 @@ template Walls<3> make_walls(const FluidConfig&, const FluidModel<3>&);
 template void require_dry_walls(const Walls<2>&, const base::Communicator&, double);
 template void require_dry_walls(const Walls<3>&, const base::Communicator&, double);
 
-}  // namespace sph
+} // namespace sph

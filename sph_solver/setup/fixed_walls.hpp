@@ -9,12 +9,10 @@
 namespace sph {
 
 /// The walls of the configuration, at rest; each wall of the file is one body.
-template <int D>
-Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model);
+template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model);
 
 /// Throws Error(bad_input) when water starts inside a wall: deeper than `tolerance` particle spacings.
 /// Collective; \pre walls.find_contacts(particles) on every rank.
-template <int D>
-void require_dry_walls(const Walls<D>& walls, const base::Communicator& comm, double tolerance);
+template<int D> void require_dry_walls(const Walls<D>& walls, const base::Communicator& comm, double tolerance);
 
-}  // namespace sph
+} // namespace sph

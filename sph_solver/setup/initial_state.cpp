@@ -9,11 +9,7 @@
 namespace sph {
 namespace {
 
-template <int D>
-Vec<D> to_vec(const std::vector<double>& numbers)
-{
-    return Eigen::Map<const Vec<D>>(numbers.data());
-}
+template<int D> Vec<D> to_vec(const std::vector<double>& numbers) { return Eigen::Map<const Vec<D>>(numbers.data()); }
 
 Limiter make_limiter(const std::string& name)
 {
@@ -23,8 +19,7 @@ Limiter make_limiter(const std::string& name)
 }
 
 /// Density of the fluid at rest as a function of the place.
-template <int D>
-class RestState {
+template<int D> class RestState {
 public:
     using Bodies = std::vector<std::unique_ptr<WaterBody<D>>>;
 
@@ -64,15 +59,17 @@ void check_overlap(const std::vector<WaterConfig>& water, double spacing)
             if (water[a].shape != "box" || water[b].shape != "box") continue;
             bool overlap = true;
             for (std::size_t d = 0; d < water[a].low.size(); ++d) {
-                const double shared = std::min(water[a].high[d], water[b].high[d]) - std::max(water[a].low[d], water[b].low[d]);
+                const double shared =
+                    std::min(water[a].high[d], water[b].high[d]) - std::max(water[a].low[d], water[b].low[d]);
                 overlap = overlap && shared > 0.01 * spacing;
             }
-            base::require_input(!overlap, "[[water]] numbers ", a + 1, " and ", b + 1, " overlap; make their boxes meet at a face");
+            base::require_input(!overlap, "[[water]] numbers ", a + 1, " and ", b + 1,
+                                " overlap; make their boxes meet at a face");
         }
     }
 }
 
-}  // namespace
+} // namespace
 
 double hydrostatic_density(const Tait& eos, double gravity, double depth)
 {
@@ -81,14 +78,14 @@ double hydrostatic_density(const Tait& eos, double gravity, double depth)
     return eos.rho0 * std::pow(1.0 + head, 1.0 / exponent);
 }
 
-template <int D>
-FluidModel<D> make_model(const FluidConfig& config)
+template<int D> FluidModel<D> make_model(const FluidConfig& config)
 {
-    return {CubicSpline<D>(config.resolution.smoothing_length()), Tait{config.liquid.density, config.liquid.sound_speed},
-            make_limiter(config.numerics.limiter), to_vec<D>(config.domain.gravity)};
+    return {CubicSpline<D>(config.resolution.smoothing_length()),
+            Tait{config.liquid.density, config.liquid.sound_speed}, make_limiter(config.numerics.limiter),
+            to_vec<D>(config.domain.gravity)};
 }
 
-template <int D>
+template<int D>
 Particles<D> initial_particles(const FluidConfig& config, const FluidModel<D>& model, const base::Communicator& comm)
 {
     check_overlap(config.water, config.resolution.spacing);
@@ -125,4 +122,4 @@ template FluidModel<3> make_model(const FluidConfig&);
 template Particles<2> initial_particles(const FluidConfig&, const FluidModel<2>&, const base::Communicator&);
 template Particles<3> initial_particles(const FluidConfig&, const FluidModel<3>&, const base::Communicator&);
 
-}  // namespace sph
+} // namespace sph

@@ -17,15 +17,14 @@ namespace sph {
 double hydrostatic_density(const Tait& eos, double gravity, double depth);
 
 /// What the method's formulas have in common, from the configuration.
-template <int D>
-FluidModel<D> make_model(const FluidConfig& config);
+template<int D> FluidModel<D> make_model(const FluidConfig& config);
 
 /// This rank's share of the water at the start: conserved fields of owned particles, m = rho w and P = m v.
 ///
 /// Particles are numbered through the bodies of water in the file's order; a number does not depend on the ranks. The
 /// share is a range of numbers: which rank a particle belongs to is for Domain::redistribute to say.
 /// Throws Error(bad_input) when two boxes of water overlap or a shape is too small for the resolution.
-template <int D>
+template<int D>
 Particles<D> initial_particles(const FluidConfig& config, const FluidModel<D>& model, const base::Communicator& comm);
 
-}  // namespace sph
+} // namespace sph

@@ -12,14 +12,9 @@
 namespace sph {
 namespace {
 
-template <int D>
-Vec<D> to_vec(const std::vector<double>& numbers)
-{
-    return Eigen::Map<const Vec<D>>(numbers.data());
-}
+template<int D> Vec<D> to_vec(const std::vector<double>& numbers) { return Eigen::Map<const Vec<D>>(numbers.data()); }
 
-template <int D>
-class Box final : public WaterBody<D> {
+template<int D> class Box final : public WaterBody<D> {
 public:
     Box(const WaterConfig& water, double spacing) : low_(to_vec<D>(water.low)), high_(to_vec<D>(water.high))
     {
@@ -49,7 +44,10 @@ public:
         return {x, step_.prod()};
     }
 
-    double top(const Vec<D>& up) const override { return (low_.array() * up.array()).max(high_.array() * up.array()).sum(); }
+    double top(const Vec<D>& up) const override
+    {
+        return (low_.array() * up.array()).max(high_.array() * up.array()).sum();
+    }
 
 private:
     Vec<D> low_, high_, step_;
@@ -62,12 +60,13 @@ public:
     Disc(const WaterConfig& water, double spacing) : centre_(to_vec<2>(water.centre)), radius_(water.radius)
     {
         const auto rings = std::llround(radius_ / spacing);
-        base::require_input(rings > 0, "a disc of water has a radius of ", radius_, " m, less than half a particle spacing (",
-                            spacing, " m)");
+        base::require_input(rings > 0, "a disc of water has a radius of ", radius_,
+                            " m, less than half a particle spacing (", spacing, " m)");
         thickness_ = radius_ / static_cast<double>(rings);
         for (std::int64_t ring = 0; ring < rings; ++ring) {
             const double middle = (static_cast<double>(ring) + 0.5) * thickness_;
-            const auto particles = std::max<std::int64_t>(3, std::llround(2.0 * std::numbers::pi * middle / thickness_));
+            const auto particles =
+                std::max<std::int64_t>(3, std::llround(2.0 * std::numbers::pi * middle / thickness_));
             begins_.push_back(begins_.back() + particles);
         }
     }
@@ -79,7 +78,7 @@ public:
         const auto next = std::upper_bound(begins_.begin(), begins_.end(), k);
         const auto ring = static_cast<double>(next - begins_.begin() - 1);
         const auto particles = static_cast<double>(*next - *(next - 1));
-        const double golden = 2.399963229728653;  // radians; turns each ring against the last, so that no spokes form
+        const double golden = 2.399963229728653; // radians; turns each ring against the last, so that no spokes form
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(k - *(next - 1)) / particles + golden * ring;
         const double area = std::numbers::pi * (2.0 * ring + 1.0) * thickness_ * thickness_;
         return {centre_ + (ring + 0.5) * thickness_ * Vec<2>(std::cos(angle), std::sin(angle)), area / particles};
@@ -94,10 +93,9 @@ private:
     std::vector<std::int64_t> begins_ = {0};
 };
 
-}  // namespace
+} // namespace
 
-template <int D>
-std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig& water, double spacing)
+template<int D> std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig& water, double spacing)
 {
     if constexpr (D == 2) {
         if (water.shape == "disc") return std::make_unique<Disc>(water, spacing);
@@ -108,4 +106,4 @@ std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig& water, double s
 template std::unique_ptr<WaterBody<2>> make_water_body(const WaterConfig&, double);
 template std::unique_ptr<WaterBody<3>> make_water_body(const WaterConfig&, double);
 
-}  // namespace sph
+} // namespace sph

@@ -10,15 +10,13 @@
 namespace sph {
 
 /// A particle to be: where, and how much space is its own.
-template <int D>
-struct WaterPoint {
-    Vec<D> position;  ///< [m]
-    double volume;    ///< [m^D]
+template<int D> struct WaterPoint {
+    Vec<D> position; ///< [m]
+    double volume;   ///< [m^D]
 };
 
 /// A body of water as a numbered set of points, so that any rank can make any part of it.
-template <int D>
-class WaterBody {
+template<int D> class WaterBody {
 public:
     virtual ~WaterBody() = default;
     [[nodiscard]] virtual std::int64_t count() const = 0;
@@ -33,7 +31,6 @@ public:
 ///         is adjusted to fit whole cells in each direction
 ///   disc  rings about the centre, one spacing thick, for flows that a lattice would buckle (2D)
 /// Throws Error(bad_input) when the shape is smaller than one spacing.
-template <int D>
-std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig& water, double spacing);
+template<int D> std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig& water, double spacing);
 
-}  // namespace sph
+} // namespace sph

@@ -17,16 +17,14 @@ struct SortItem {
     }
 };
 
-template <class T>
-void gather(std::vector<T>& column, const std::vector<SortItem>& order)
+template<class T> void gather(std::vector<T>& column, const std::vector<SortItem>& order)
 {
     std::vector<T> sorted(column.size());
     for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = column[static_cast<std::size_t>(order[k].index)];
     column.swap(sorted);
 }
 
-template <class T>
-void compress(std::vector<T>& column, const std::vector<std::uint8_t>& keep)
+template<class T> void compress(std::vector<T>& column, const std::vector<std::uint8_t>& keep)
 {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < keep.size(); ++k) {
@@ -35,8 +33,7 @@ void compress(std::vector<T>& column, const std::vector<std::uint8_t>& keep)
     column.resize(kept);
 }
 
-template <int D>
-void list_owned(Particles<D>& particles)
+template<int D> void list_owned(Particles<D>& particles)
 {
     particles.owned.clear();
     for (std::size_t k = 0; k < particles.size(); ++k) {
@@ -44,10 +41,9 @@ void list_owned(Particles<D>& particles)
     }
 }
 
-}  // namespace
+} // namespace
 
-template <int D>
-std::vector<int> sort_canonically(Particles<D>& particles, const CellGrid<D>& grid)
+template<int D> std::vector<int> sort_canonically(Particles<D>& particles, const CellGrid<D>& grid)
 {
     std::vector<SortItem> order(particles.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -66,15 +62,13 @@ std::vector<int> sort_canonically(Particles<D>& particles, const CellGrid<D>& gr
     return new_index;
 }
 
-template <int D>
-void keep_particles(Particles<D>& particles, const std::vector<std::uint8_t>& keep)
+template<int D> void keep_particles(Particles<D>& particles, const std::vector<std::uint8_t>& keep)
 {
     for_each_field(particles, [&](const FieldInfo&, auto& column) { compress(column, keep); });
     particles.own_all();
 }
 
-template <int D>
-void drop_halo(Particles<D>& particles)
+template<int D> void drop_halo(Particles<D>& particles)
 {
     if (particles.owned.size() == particles.size()) return;
     keep_particles(particles, std::vector<std::uint8_t>(particles.is_owned));
@@ -87,4 +81,4 @@ template void keep_particles(Particles<3>&, const std::vector<std::uint8_t>&);
 template void drop_halo(Particles<2>&);
 template void drop_halo(Particles<3>&);
 
-}  // namespace sph
+} // namespace sph

@@ -5,8 +5,7 @@
 
 namespace sph {
 
-template <int D>
-void Outflow<D>::remove(Particles<D>& particles)
+template<int D> void Outflow<D>::remove(Particles<D>& particles)
 {
     if (planes_.empty()) return;
     drop_halo(particles);
@@ -21,8 +20,7 @@ void Outflow<D>::remove(Particles<D>& particles)
     if (any) keep_particles(particles, stays);
 }
 
-template <int D>
-bool Outflow<D>::is_out(const Vec<D>& x) const
+template<int D> bool Outflow<D>::is_out(const Vec<D>& x) const
 {
     for (const OutflowPlane<D>& plane : planes_) {
         if ((x - plane.point).dot(plane.normal) > 0.0) return true;
@@ -30,8 +28,7 @@ bool Outflow<D>::is_out(const Vec<D>& x) const
     return false;
 }
 
-template <int D>
-void Outflow<D>::count(const Particles<D>& particles, std::size_t i)
+template<int D> void Outflow<D>::count(const Particles<D>& particles, std::size_t i)
 {
     const double mass = particles.mass[i];
     const Vec<D>& momentum = particles.momentum[i];
@@ -46,4 +43,4 @@ void Outflow<D>::count(const Particles<D>& particles, std::size_t i)
 template class Outflow<2>;
 template class Outflow<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -5,23 +5,20 @@
 
 namespace sph {
 
-template <int D>
-void Particles<D>::resize(std::size_t count)
+template<int D> void Particles<D>::resize(std::size_t count)
 {
     for_each_field(*this, [&](const FieldInfo&, auto& column) { column.resize(count); });
     is_owned.resize(count);
 }
 
-template <int D>
-void Particles<D>::own_all()
+template<int D> void Particles<D>::own_all()
 {
     owned.resize(size());
     std::iota(owned.begin(), owned.end(), 0);
     is_owned.assign(size(), 1);
 }
 
-template <int D>
-void Rates<D>::reset(std::size_t count)
+template<int D> void Rates<D>::reset(std::size_t count)
 {
     volume.assign(count, 0.0);
     mass.assign(count, 0.0);
@@ -33,4 +30,4 @@ template struct Particles<3>;
 template struct Rates<2>;
 template struct Rates<3>;
 
-}  // namespace sph
+} // namespace sph

@@ -72,7 +72,8 @@ TEST(FluidConfig, FillsDefaults)
 
 TEST(FluidConfig, RefusesMistypedKeysWithTheNearestName)
 {
-    expect_refusal(with("spacing = 0.002", "spacing = 0.002\nsmothing_ratio = 1.2"), {"fluid.toml:6", "smothing_ratio", "'smoothing_ratio'"});
+    expect_refusal(with("spacing = 0.002", "spacing = 0.002\nsmothing_ratio = 1.2"),
+                   {"fluid.toml:6", "smothing_ratio", "'smoothing_ratio'"});
 }
 
 TEST(FluidConfig, RefusesNegativeAndMissingSizes)
@@ -151,10 +152,10 @@ TEST(WallShape, BoxAndExtrudedNormalsPointIntoTheFluid3D)
     EXPECT_EQ(faces.facets.size(), 5U);
     for (const auto& facet : faces.facets) EXPECT_GT(side_of(faces, facet, {0.5, 1.0, 1.5}), 0.0);
 
-    WallConfig floor{.name = "floor", .points = {{1, 0}, {0, 0}}, .depth = {0, 1}};  // solid on the left: below
+    WallConfig floor{.name = "floor", .points = {{1, 0}, {0, 0}}, .depth = {0, 1}}; // solid on the left: below
     const WallShape slab = wall_shape(floor, 3);
     EXPECT_GT(side_of(slab, slab.facets.at(0), {0.5, 1.0, 0.5}), 0.0);
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

@@ -8,19 +8,18 @@
 namespace sph {
 namespace {
 
-template <int D>
-std::vector<int> brute_force(const Particles<D>& particles, int i, double reach)
+template<int D> std::vector<int> brute_force(const Particles<D>& particles, int i, double reach)
 {
     std::vector<int> found;
     for (int j = 0; j < static_cast<int>(particles.size()); ++j) {
-        const Vec<D> x_ij = particles.position[static_cast<std::size_t>(j)] - particles.position[static_cast<std::size_t>(i)];
+        const Vec<D> x_ij =
+            particles.position[static_cast<std::size_t>(j)] - particles.position[static_cast<std::size_t>(i)];
         if (j != i && x_ij.squaredNorm() < reach * reach) found.push_back(j);
     }
     return found;
 }
 
-template <int D>
-void expect_brute_force(int count, double support)
+template<int D> void expect_brute_force(int count, double support)
 {
     Particles<D> particles = testing::random_particles<D>(count);
     NeighbourSearch<D> search(support, 0.15 * support);
@@ -77,5 +76,5 @@ TEST(NeighbourSearch, NoParticlesNoNeighbours)
     EXPECT_EQ(search.largest_displacement(Particles<3>{}), 0.0);
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

@@ -43,7 +43,8 @@ Particles<2> square()
 Particles<2> share(Particles<2> all)
 {
     std::vector<std::uint8_t> mine(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) mine[i] = static_cast<int>(i) % world().size() == world().rank() ? 1 : 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        mine[i] = static_cast<int>(i) % world().size() == world().rank() ? 1 : 0;
     keep_particles(all, mine);
     return all;
 }
@@ -58,7 +59,8 @@ Probes<2> probes()
              {.name = "none", .quantity = "front", .low = {5.0, 5.0}, .high = {6.0, 6.0}},
              {.name = "left", .quantity = "mass", .low = {0.0, 0.0}, .high = {1.0, 2.0}},
              {.name = "all", .quantity = "kinetic"}},
-            CubicSpline<2>(0.123), 0.1};
+            CubicSpline<2>(0.123),
+            0.1};
 }
 
 TEST(Probes, NameTheirColumnsWithUnits)
@@ -118,7 +120,9 @@ TEST(StateHash, SeesTheLastBitOfOneParticle)
 /// A folder of this test on all ranks, removed at its end.
 class Folder {
 public:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("rivage_output_" + world().broadcast(std::to_string(getpid()))))
+    Folder()
+        : path_(std::filesystem::temp_directory_path() /
+                ("rivage_output_" + world().broadcast(std::to_string(getpid()))))
     {
         if (world().is_root()) std::filesystem::create_directories(path_);
         world().barrier();
@@ -164,9 +168,11 @@ TEST(EnergyTable, HasTheHousesColumns)
     std::string header, values;
     std::getline(file, header);
     std::getline(file, values);
-    EXPECT_EQ(header.rfind("t[s],dt[s],kinetic[J/m],potential[J/m],internal[J/m],total[J/m],mass[kg/m],work_by_walls[J/m]", 0), 0U);
+    EXPECT_EQ(header.rfind(
+                  "t[s],dt[s],kinetic[J/m],potential[J/m],internal[J/m],total[J/m],mass[kg/m],work_by_walls[J/m]", 0),
+              0U);
     EXPECT_EQ(values.rfind("0,0,1,2,4,7,", 0), 0U);
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

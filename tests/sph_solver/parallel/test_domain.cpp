@@ -18,11 +18,11 @@ const base::Communicator& world()
 }
 
 /// Every `size`-th particle: an initial distribution that has nothing to do with space.
-template <int D>
-Particles<D> share(Particles<D> all)
+template<int D> Particles<D> share(Particles<D> all)
 {
     std::vector<std::uint8_t> mine(all.size(), 0);
-    for (std::size_t i = 0; i < all.size(); ++i) mine[i] = static_cast<int>(i) % world().size() == world().rank() ? 1 : 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        mine[i] = static_cast<int>(i) % world().size() == world().rank() ? 1 : 0;
     keep_particles(all, mine);
     return all;
 }
@@ -34,8 +34,9 @@ struct Sum {
 };
 
 /// A sum over neighbours whose value depends on the order of its terms; for all particles, by id, on every rank.
-template <int D>
-std::vector<Sum> neighbour_sums(const Particles<D>& particles, const NeighbourList& list, const base::Communicator& comm)
+template<int D>
+std::vector<Sum> neighbour_sums(const Particles<D>& particles, const NeighbourList& list,
+                                const base::Communicator& comm)
 {
     std::vector<Sum> sums;
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
@@ -44,7 +45,8 @@ std::vector<Sum> neighbour_sums(const Particles<D>& particles, const NeighbourLi
         for (const int neighbour : list.of(k)) {
             const auto j = static_cast<std::size_t>(neighbour);
             const double r = (particles.position[j] - particles.position[i]).norm();
-            sum.value += particles.mass[j] / particles.volume[j] * (1.0 - r) + particles.momentum[j].dot(particles.position[j]);
+            sum.value +=
+                particles.mass[j] / particles.volume[j] * (1.0 - r) + particles.momentum[j].dot(particles.position[j]);
             ++sum.neighbours;
         }
         sums.push_back(sum);
@@ -67,8 +69,7 @@ void expect_same(const std::vector<Sum>& found, const std::vector<Sum>& wanted)
 }
 
 /// Moves the particles by a shear that depends on the position alone: the same on any rank.
-template <int D>
-void move(Particles<D>& particles, double amount)
+template<int D> void move(Particles<D>& particles, double amount)
 {
     for (const int owned : particles.owned) {
         Vec<D>& x = particles.position[static_cast<std::size_t>(owned)];
@@ -76,8 +77,7 @@ void move(Particles<D>& particles, double amount)
     }
 }
 
-template <int D>
-void expect_rank_invariance(int count, double support)
+template<int D> void expect_rank_invariance(int count, double support)
 {
     NeighbourSearch<D> search(support, 0.1 * support);
     NeighbourSearch<D> reference_search(support, 0.1 * support);
@@ -178,7 +178,7 @@ TEST(Domain, WaterThatRunsAwayIsCutAnew)
         domain.redistribute(particles);
         search.build(particles);
         domain.record_work(particles, search.list().offsets);
-        for (Vec<2>& x : particles.position) x *= round < 6 ? 0.9 : 1.0;  // drains towards one corner
+        for (Vec<2>& x : particles.position) x *= round < 6 ? 0.9 : 1.0; // drains towards one corner
     }
     if (world().size() > 1) {
         EXPECT_GT(domain.cuts(), 1);
@@ -187,5 +187,5 @@ TEST(Domain, WaterThatRunsAwayIsCutAnew)
     EXPECT_LE(static_cast<double>(world().max(mine)), 1.35 * static_cast<double>(world().sum(mine)) / world().size());
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

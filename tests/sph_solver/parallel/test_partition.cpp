@@ -27,7 +27,7 @@ WeightedGraph chain(const std::vector<std::int64_t>& work)
 TEST(Partition, SharesTheWorkNotTheBlocks)
 {
     std::vector<std::int64_t> work(60, 10);
-    std::fill(work.begin(), work.begin() + 20, 40);  // 800 + 400
+    std::fill(work.begin(), work.begin() + 20, 40); // 800 + 400
     const auto parts = partition(chain(work), 3);
     std::vector<std::int64_t> sums(3, 0);
     for (std::size_t v = 0; v < work.size(); ++v) sums[static_cast<std::size_t>(parts[v])] += work[v];
@@ -46,5 +46,5 @@ TEST(Partition, FewerBlocksThanParts)
     EXPECT_TRUE(partition(WeightedGraph{}, 3).empty());
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

@@ -31,7 +31,8 @@ TEST(HydrostaticState, BalancesGravity)
     const Tait eos{1000.0, 30.0};
     const double depth = 0.1, step = 1e-5;
     const double slope = (eos.pressure(hydrostatic_density(eos, 9.81, depth + step)) -
-                          eos.pressure(hydrostatic_density(eos, 9.81, depth - step))) / (2.0 * step);
+                          eos.pressure(hydrostatic_density(eos, 9.81, depth - step))) /
+                         (2.0 * step);
     EXPECT_NEAR(slope, 9.81 * hydrostatic_density(eos, 9.81, depth), 1e-4);
     EXPECT_EQ(hydrostatic_density(eos, 9.81, 0.0), 1000.0);
     EXPECT_EQ(hydrostatic_density(eos, 9.81, -1.0), 1000.0);
@@ -141,5 +142,5 @@ TEST(InitialParticles, FillACuboid)
     EXPECT_DOUBLE_EQ(particles.mass[47] / particles.volume[47], hydrostatic_density(Tait{1000.0, 30.0}, 9.81, 0.025));
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

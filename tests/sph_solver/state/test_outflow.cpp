@@ -32,5 +32,5 @@ TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
     EXPECT_DOUBLE_EQ(out.internal.value(), 1100.0 * eos.specific_internal_energy(1100.0));
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph

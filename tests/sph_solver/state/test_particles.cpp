@@ -9,8 +9,7 @@
 namespace sph {
 namespace {
 
-template <int D>
-void expect_complete_table()
+template<int D> void expect_complete_table()
 {
     Particles<D> particles;
     particles.resize(5);
@@ -92,5 +91,5 @@ TEST(CanonicalOrder, DropHaloLeavesTheOwnedInOrder)
     EXPECT_EQ(particles.owned, (std::vector<int>{0, 1, 2}));
 }
 
-}  // namespace
-}  // namespace sph
+} // namespace
+} // namespace sph
