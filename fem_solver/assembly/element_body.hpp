@@ -51,8 +51,9 @@ private:
     };
     ModeSystem mode_system(int element, const Nodal& u) const;
 
-    static void add_point_stiffness(const Tangent<D>& tangent, const Nodal& gradient, Stiffness& k);
-    static void add_coupling(const Tangent<D>& tangent, const Point& point, Coupling& coupling);
+    /// Adds rows^T (dP/dF) gradient, D x D for each pair of columns: of nodes or modes with nodes.
+    template<class Rows, class Block>
+    static void add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k);
 
     const MatrixPattern* pattern_;
     LawType law_;
@@ -197,21 +198,12 @@ Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd&
 }
 
 template<class Shape, class LawType>
-void ElementBody<Shape, LawType>::add_point_stiffness(const Tangent<D>& tangent, const Nodal& gradient, Stiffness& k)
+template<class Rows, class Block>
+void ElementBody<Shape, LawType>::add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k)
 {
     for (int b = 0; b < N; ++b) {
         const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, gradient.col(b));
-        for (int a = 0; a < N; ++a) k.template block<D, D>(D * a, D * b) += contract<D>(gradient.col(a), slope);
-    }
-}
-
-template<class Shape, class LawType>
-void ElementBody<Shape, LawType>::add_coupling(const Tangent<D>& tangent, const Point& point, Coupling& coupling)
-{
-    for (int b = 0; b < N; ++b) {
-        const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, point.gradient.col(b));
-        for (int i = 0; i < D; ++i)
-            coupling.template block<D, D>(D * i, D * b) += contract<D>(point.enhanced.col(i), slope);
+        for (int a = 0; a < rows.cols(); ++a) k.template block<D, D>(D * a, D * b) += contract<D>(rows.col(a), slope);
     }
 }
 
@@ -226,9 +218,9 @@ void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacem
         Coupling coupling = Coupling::Zero();
         for (const Point* p = points_of(e); p != points_of(e) + count_; ++p) {
             const Tangent<D> tangent = p->volume * law_.template tangent<D>(deformation(*p, u, e));
-            add_point_stiffness(tangent, p->gradient, k);
+            add_products(tangent, p->gradient, p->gradient, k);
             if constexpr (can_enhance)
-                if (enhanced_) add_coupling(tangent, *p, coupling);
+                if (enhanced_) add_products(tangent, p->enhanced, p->gradient, coupling);
         }
         if constexpr (can_enhance)
             if (enhanced_) k -= coupling.transpose() * mode_system(e, u).stiffness.partialPivLu().solve(coupling);
