@@ -7,6 +7,8 @@ namespace fem {
 namespace {
 
 constexpr int max_halvings = 12;
+/// Part of a load step below which its strides are not cut further.
+constexpr double shortest_stride = 1.0 / 64;
 /// A correction beyond this many times the body's size means that nothing holds the body.
 constexpr double unheld = 1e6;
 
@@ -20,56 +22,79 @@ StaticSolution::StaticSolution(const Mesh& mesh, const SolidForces& forces, cons
 void StaticSolution::solve(Motion& motion, int load_steps, const Observer& observer)
 {
     for (int step = 1; step <= load_steps; ++step) {
-        const double factor = static_cast<double>(step) / load_steps;
-        equilibrate(motion, factor);
-        observer(factor);
+        raise(motion, static_cast<double>(step - 1) / load_steps, static_cast<double>(step) / load_steps);
+        observer(static_cast<double>(step) / load_steps);
     }
 }
 
-void StaticSolution::equilibrate(Motion& motion, double factor)
+/// Raises the load from one factor to another, in halves of halves where one stride is too long.
+void StaticSolution::raise(Motion& motion, double from, double to)
 {
-    model_.evaluate(motion, factor, forces_now_);
-    for (newton_.start();;) {
+    double stride = to - from;
+    for (double reached = from; reached < to;) {
+        const double next = to - reached <= stride * (1 + 1e-9) ? to : reached + stride;
+        const Eigen::VectorXd start = motion.displacement;
+        if (equilibrate(motion, next)) {
+            reached = next;
+            continue;
+        }
+        if (stride <= (to - from) * shortest_stride) fail(motion, next);
+        motion.displacement = start;
+        stride *= 0.5;
+    }
+}
+
+/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere.
+bool StaticSolution::equilibrate(Motion& motion, double factor)
+{
+    newton_.start();
+    reason_ = "turns elements inside out";
+    if (model_.evaluate(motion, factor, forces_now_).happened()) return false;
+    for (;;) {
         Eigen::VectorXd residual = forces_now_.unbalanced();
         const double scale = std::max(residual.cwiseAbs().maxCoeff(), forces_now_.internal.cwiseAbs().maxCoeff());
         supports_.clear_rows(residual);
-        if (newton_.converged(residual, scale, model_.round_off())) break;
-        if (newton_.exhausted()) fail(motion, factor, "did not converge");
+        if (newton_.converged(residual, scale, model_.round_off())) return true;
+        reason_ = "did not converge";
+        if (newton_.exhausted()) return false;
         Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor});
         supports_.clear(matrix, matrix.diagonal().mean());
         solver_.factorise(matrix);
-        apply(motion, solver_.solve(-residual), factor);
+        if (!apply(motion, solver_.solve(-residual), factor)) return false;
     }
 }
 
-void StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, double factor)
+bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, double factor)
 {
     const double size = Eigen::Map<const Eigen::VectorXd>(mesh_.coordinates.data(), std::ssize(mesh_.coordinates))
                             .cwiseAbs()
                             .maxCoeff();
-    if (!(correction.cwiseAbs().maxCoeff() < unheld * size)) // NaN too
-        fail(motion, factor, "has a singular matrix; do the supports hold the body against every rigid motion? It");
+    reason_ = "has a singular matrix (do the supports hold the body against every rigid motion?)";
+    if (!(correction.cwiseAbs().maxCoeff() < unheld * size)) return false; // NaN too
     double scale = 1;
     motion.displacement += correction;
+    reason_ = "turns elements inside out";
     for (int halvings = 0; model_.evaluate(motion, factor, forces_now_).happened(); ++halvings) {
-        if (halvings == max_halvings) fail(motion, factor, "turns elements inside out, whatever the step, and");
+        if (halvings == max_halvings) return false;
         scale *= 0.5;
         motion.displacement -= scale * correction;
     }
+    return true;
 }
 
-void StaticSolution::fail(const Motion& motion, double factor, const std::string& what) const
+void StaticSolution::fail(const Motion& motion, double factor) const
 {
     const int node = static_cast<int>(newton_.worst()) / mesh_.dimension;
     std::string displaced;
     for (int k = 0; k < mesh_.dimension; ++k)
         displaced += base::text(k > 0 ? ", " : "", motion.displacement[node * mesh_.dimension + k]);
+    const double residual = newton_.residuals().empty() ? 0 : newton_.residuals().back();
     throw base::Error(base::ExitCode::numerical_failure,
-                      base::text("the static solution at load factor ", factor, " ", what, " stopped after ",
-                                 newton_.residuals().size(), " iterations: largest residual ",
-                                 newton_.residuals().back(), " N at node ", node, ", reference position ",
-                                 mesh_.describe_node(node), " m, displacement (", displaced,
-                                 ") m. Try more load steps, and check supports and loads"));
+                      base::text("the static solution ", reason_, " at load factor ", factor, ": after ",
+                                 newton_.residuals().size(), " iterations the largest residual is ", residual,
+                                 " N at node ", node, ", reference position ", mesh_.describe_node(node),
+                                 " m, displacement (", displaced,
+                                 ") m. Check supports and loads, or raise the load in more steps"));
 }
 
 } // namespace fem

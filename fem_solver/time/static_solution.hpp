@@ -7,10 +7,12 @@
 #include "fem_solver/solve/newton.hpp"
 
 #include <functional>
+#include <string>
 
 namespace fem {
 
 /// Equilibrium f_int(u) = s f_ext(u) for load factors s that rise to 1 in equal parts, by full Newton.
+/// A part that does not converge is cut into shorter strides.
 class StaticSolution {
 public:
     /// All references outlive the object.
@@ -30,9 +32,10 @@ public:
     long iterations() const { return solver_.factorisations(); }
 
 private:
-    void equilibrate(Motion& motion, double factor);
-    void apply(Motion& motion, const Eigen::VectorXd& correction, double factor);
-    [[noreturn]] void fail(const Motion& motion, double factor, const std::string& what) const;
+    void raise(Motion& motion, double from, double to);
+    bool equilibrate(Motion& motion, double factor);
+    bool apply(Motion& motion, const Eigen::VectorXd& correction, double factor);
+    [[noreturn]] void fail(const Motion& motion, double factor) const;
 
     const Mesh& mesh_;
     const SolidForces& model_;
@@ -40,6 +43,7 @@ private:
     NewtonMonitor newton_;
     LinearSolver solver_;
     Forces forces_now_;
+    std::string reason_; // of the last failure
 };
 
 } // namespace fem

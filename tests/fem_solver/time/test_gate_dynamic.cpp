@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace {
 
 using namespace fem;
@@ -59,22 +61,21 @@ TEST(GateSudden, FollowsTheConvergedMotion)
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     const double dt = 2e-4;
-    double at_20_ms = 0, at_40_ms = 0, peak = 0, lowest = 1, lowest_time = 0;
-    for (int i = 1; i <= 350; ++i) {
+    double at_20_ms = 0, at_40_ms = 0;
+    std::array<double, 2> peak{}, peak_time{}; // of the first and the second swing
+    for (int i = 1; i <= 520; ++i) {
         step.advance(motion, dt);
         const double ux = 1e3 * motion.displacement[gate.tip];
         if (i == 100) at_20_ms = ux;
         if (i == 200) at_40_ms = ux;
-        peak = std::max(peak, ux);
-        if (i > 250 && ux < lowest) {
-            lowest = ux;
-            lowest_time = i * dt;
-        }
+        const int swing = i < 330 ? 0 : 1;
+        if (ux > peak[swing]) peak_time[swing] = i * dt;
+        peak[swing] = std::max(peak[swing], ux);
     }
     EXPECT_NEAR(at_20_ms, 44.75, 0.2);
     EXPECT_NEAR(at_40_ms, 56.8, 0.3);
-    EXPECT_NEAR(peak, 60.6, 0.3);
-    EXPECT_NEAR(lowest_time, 0.0665, 0.0005);
+    EXPECT_NEAR(peak[0], 60.6, 0.3);
+    EXPECT_NEAR(peak_time[1] - peak_time[0], 0.0665, 0.0003);
     EXPECT_LT(std::abs(step.energies().balance_error), 1e-8 * step.energies().numerical_dissipation + 1e-8);
 }
 
