@@ -28,9 +28,9 @@ struct RunOutputConfig {
 /// [coupling]: the scheme and how long to wait.
 struct SchemeConfig {
     std::string scheme = "parallel_impedance";
-    double impedance_factor = 1.0;
+    double impedance_factor = 0.5;
     std::string acceleration = "mean";
-    int acceleration_steps = 1;
+    int acceleration_steps = 5;
     double handshake_timeout = 30;
     double silence_timeout = 300;
 };
