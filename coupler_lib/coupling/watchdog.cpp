@@ -36,7 +36,7 @@ std::string alarm_text(const std::string& role, double timeout, const std::strin
 double stagger()
 {
     const int rank = std::atoi(environment("OMPI_COMM_WORLD_RANK").c_str());
-    return std::clamp(rank, 0, 3); // [s]; mpirun needs some tenths of a second
+    return std::clamp(2 * rank, 0, 4); // [s]; mpirun takes a good second to end the others
 }
 
 } // namespace
