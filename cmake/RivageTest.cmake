@@ -2,7 +2,7 @@
 # rivage_test(NAME sph_numerics SOURCES test_kernel.cpp ... LINK rivage::sph_numerics [RANKS 1 2 3] [TIMEOUT s]):
 # one GoogleTest binary; without RANKS one ctest entry run directly, with RANKS one entry per rank count through mpirun.
 set(RIVAGE_TEST_ENVIRONMENT
-    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMP_NUM_THREADS=1")
+    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_hwloc_base_binding_policy=none;OMP_NUM_THREADS=1")
 
 function(rivage_test)
     cmake_parse_arguments(TEST "" "NAME;TIMEOUT" "SOURCES;LINK;RANKS" ${ARGN})

@@ -4,6 +4,7 @@
 #include "coupler_lib/foundation/nearest_name.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -59,6 +60,22 @@ std::vector<std::string> ConfigReader::names_at(const std::string& path)
     return names;
 }
 
+namespace {
+
+/// "; is 'spacin' meant?" when a table lacks `key` but holds a name near it that no key has; else empty.
+std::string near_miss(const ConfigNode& table, const std::string& key, const std::vector<ConfigKey>& keys)
+{
+    std::vector<std::string> strangers;
+    for (const auto& [name, child] : std::get<ConfigNode::Table>(table.value)) {
+        const auto same = [&name](const ConfigKey& known) { return known.name == name; };
+        if (std::none_of(keys.begin(), keys.end(), same)) strangers.push_back(name);
+    }
+    const std::string near = nearest_name(key, strangers);
+    return near.empty() ? "" : "; is '" + near + "' meant?";
+}
+
+}  // namespace
+
 void ConfigReader::read_table(const std::string& path, const ConfigNode* node, const std::string& doc,
                               const std::vector<ConfigKey>& keys, void* object)
 {
@@ -73,7 +90,8 @@ void ConfigReader::read_table(const std::string& path, const ConfigNode* node, c
         const ConfigNode* child = node ? node->find(key.name) : nullptr;
         if (node) known_keys_.emplace(node, key.name);
         require_input(child || !key.info.required, node ? node->where : document_.file_name(), ": '", key.name, "' is missing in [",
-                      path, "]: ", key.info.doc, key.info.unit.empty() ? "" : " [" + key.info.unit + "]");
+                      path, "]: ", key.info.doc, key.info.unit.empty() ? "" : " [" + key.info.unit + "]",
+                      !child && node ? near_miss(*node, key.name, keys) : "");
         if (!child) continue;
         claimed_.insert(child);
         key.set(object, *child);

@@ -103,6 +103,7 @@ TEST(Config, WrongValuesNamePlaceValueAndWhatIsAllowed)
     EXPECT_TRUE(contains(error_of("[resolution]\nspacing = 1\nsmoothing_ratio = 3\n"), "outside 1 ... 2"));
     EXPECT_TRUE(contains(error_of("[resolution]\nspacing = 1\nlimiter = 'van_albad'\n"), "did you mean 'van_albada'"));
     EXPECT_TRUE(contains(error_of("[resolution]\n"), "'spacing' is missing in [resolution]"));
+    EXPECT_TRUE(contains(error_of("[resolution]\nspacin = 1\n"), "is 'spacin' meant?"));
     EXPECT_TRUE(contains(error_of(""), "'spacing' is missing"));
     EXPECT_TRUE(contains(error_of("resolution = 3"), "must be a table"));
     EXPECT_TRUE(contains(error_of("[resolution]\nspacing = 1\n[walls]\nname = 'x'"), "each headed [[walls]]"));
