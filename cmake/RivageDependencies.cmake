@@ -38,7 +38,7 @@ endif()
 rivage_require(METIS_LIBRARY "libmetis-dev" "METIS")
 
 foreach(entry "Eigen3;libeigen3-dev" "fmt;libfmt-dev" "spdlog;libspdlog-dev" "CLI11;libcli11-dev"
-              "tomlplusplus;libtomlplusplus-dev")
+              "tomlplusplus;libtomlplusplus-dev" "muparser;libmuparser-dev")
     list(GET entry 0 name)
     list(GET entry 1 package)
     find_package(${name} QUIET)
