@@ -4,6 +4,7 @@
 #include "coupler_lib/foundation/check.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -17,7 +18,7 @@ public:
         : reader_(reader), dimension_(static_cast<std::size_t>(dimension))
     {}
 
-    void required(const std::vector<double>& numbers, const std::string& path) const
+    template<class T> void required(const std::vector<T>& numbers, const std::string& path) const
     {
         base::require_input(numbers.size() == dimension_, reader_.where(path), ": ", path, " has ", numbers.size(),
                             " numbers; in ", dimension_, "D it needs ", dimension_);
@@ -46,20 +47,40 @@ private:
 
 std::string element(const char* table, std::size_t k) { return std::string(table) + "." + std::to_string(k); }
 
+/// A path in the file is seen from the file's folder.
+void resolve(std::string& path, const base::ConfigReader& reader)
+{
+    if (!path.empty()) path = (std::filesystem::path(reader.file_name()).parent_path() / path).string();
+}
+
+void check_water_shape(const WaterConfig& water, const std::string& where, int dimension)
+{
+    const std::string& shape = water.shape;
+    const bool flat = shape == "disc" || shape == "polygon";
+    base::require_input(!flat || dimension == 2, where, ": a ", shape, " is a shape in 2D");
+    base::require_input(shape != "stl" || dimension == 3, where, ": an STL file is a shape in 3D; use a polygon in 2D");
+    base::require_input(shape != "disc" || water.radius > 0.0, where, ": a disc needs a radius above zero");
+    base::require_input(shape != "polygon" || water.points.size() >= 3, where,
+                        ": a polygon needs three points at least, points = [[x, y], ...]; it has ",
+                        water.points.size());
+    for (const auto& point : water.points)
+        base::require_input(point.size() == 2, where, ": a point of the polygon has ", point.size(), " numbers, not 2");
+    const bool wants_file = shape == "stl" || shape == "particles";
+    base::require_input(wants_file != water.file.empty(), where, ": shape \"", shape,
+                        wants_file ? "\" needs a file = \"...\"" : "\" has no file; is shape = \"stl\" meant?");
+}
+
 void check_water(FluidConfig& config, const base::ConfigReader& reader, const VectorCheck& vectors)
 {
     base::require_input(!config.water.empty(), reader.file_name(), ": there is no water; add a table [[water]]");
     for (std::size_t k = 0; k < config.water.size(); ++k) {
         WaterConfig& water = config.water[k];
         const std::string path = element("water", k);
-        vectors.optional(water.velocity, path + ".velocity");
-        if (water.shape == "box") {
-            vectors.box(water.low, water.high, path);
-            continue;
-        }
-        vectors.required(water.centre, path + ".centre");
-        base::require_input(water.radius > 0.0, reader.where(path), ": a disc needs a radius above zero");
-        base::require_input(config.domain.dimension == 2, reader.where(path), ": a disc is a shape in 2D");
+        check_water_shape(water, reader.where(path), config.domain.dimension);
+        if (water.shape == "box") vectors.box(water.low, water.high, path);
+        if (water.shape == "disc") vectors.required(water.centre, path + ".centre");
+        if (!water.velocity.empty()) vectors.required(water.velocity, path + ".velocity");
+        resolve(water.file, reader);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupler_lib/base/config.hpp"
+#include "coupler_lib/base/expression.hpp"
 
 #include <limits>
 #include <string>
@@ -16,14 +17,19 @@ struct WaterConfig {
     std::vector<double> high = {};
     std::vector<double> centre = {};
     double radius = 0.0;
-    std::vector<double> velocity = {};
+    std::vector<std::vector<double>> points = {};
+    std::string file = {};
+    double scale = 1.0;
+    std::string group = "/";
+    std::vector<base::Formula> velocity = {};
+    double level = std::numeric_limits<double>::infinity();
 };
 
 /// [initial]
 struct InitialConfig {
     std::string state = "hydrostatic";
     double level = std::numeric_limits<double>::infinity();
-    double pressure = 0.0;
+    base::Formula pressure = {"0", ""};
 };
 
 /// [[outflow]]: particles beyond a plane are taken out and counted.

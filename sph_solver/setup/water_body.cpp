@@ -44,6 +44,11 @@ public:
         return {x, step_.prod()};
     }
 
+    bool contains(const Vec<D>& x) const override
+    {
+        return (x.array() > low_.array()).all() && (x.array() < high_.array()).all();
+    }
+
     double top(const Vec<D>& up) const override
     {
         return (low_.array() * up.array()).max(high_.array() * up.array()).sum();
@@ -85,6 +90,7 @@ public:
     }
 
     double top(const Vec<2>& up) const override { return centre_.dot(up) + radius_; }
+    bool contains(const Vec<2>& x) const override { return (x - centre_).norm() < radius_; }
 
 private:
     Vec<2> centre_;
@@ -99,7 +105,11 @@ template<int D> std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig&
 {
     if constexpr (D == 2) {
         if (water.shape == "disc") return std::make_unique<Disc>(water, spacing);
+        if (water.shape == "polygon") return make_polygon(water, spacing);
+    } else {
+        if (water.shape == "stl") return make_stl_water(water, spacing);
     }
+    if (water.shape == "particles") return read_particles<D>(water);
     return std::make_unique<Box<D>>(water, spacing);
 }
 

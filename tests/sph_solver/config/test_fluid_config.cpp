@@ -67,7 +67,7 @@ TEST(FluidConfig, FillsDefaults)
     EXPECT_DOUBLE_EQ(config.time.cfl, 0.6);
     EXPECT_DOUBLE_EQ(config.resolution.smoothing_length(), 1.23 * 0.002);
     EXPECT_EQ(config.numerics.limiter, "van_albada");
-    EXPECT_EQ(config.water.at(0).velocity, (std::vector<double>{0.0, 0.0}));
+    EXPECT_TRUE(config.water.at(0).velocity.empty());
 }
 
 TEST(FluidConfig, RefusesMistypedKeysWithTheNearestName)
@@ -155,6 +155,28 @@ TEST(WallShape, BoxAndExtrudedNormalsPointIntoTheFluid3D)
     WallConfig floor{.name = "floor", .points = {{1, 0}, {0, 0}}, .depth = {0, 1}}; // solid on the left: below
     const WallShape slab = wall_shape(floor, 3);
     EXPECT_GT(side_of(slab, slab.facets.at(0), {0.5, 1.0, 0.5}), 0.0);
+}
+
+TEST(FluidConfig, WaterSaysWhatItsShapeLacks)
+{
+    const std::string box = "low = [0.0, 0.0]\nhigh = [0.1, 0.14]\n[[walls]]";
+    expect_refusal(with(box, "shape = \"polygon\"\npoints = [[0, 0], [1, 0]]\n[[walls]]"),
+                   {"three points", "it has 2"});
+    expect_refusal(with(box, "shape = \"polygon\"\npoints = [[0, 0], [1, 0], [1]]\n[[walls]]"), {"1 numbers, not 2"});
+    expect_refusal(with(box, "shape = \"stl\"\nfile = \"a.stl\"\n[[walls]]"), {"3D", "polygon"});
+    expect_refusal(with(box, "shape = \"particles\"\n[[walls]]"), {"needs a file"});
+    expect_refusal(with(box, box.substr(0, 36) + "\nfile = \"a.h5\"\n[[walls]]"), {"has no file"});
+    expect_refusal(with(box, box.substr(0, 36) + "\nvelocity = [\"-x\"]\n[[walls]]"),
+                   {"water.0.velocity", "1 numbers"});
+    expect_refusal(with(box, box.substr(0, 36) + "\nvelocity = [true, 1]\n[[walls]]"), {"a number or a formula"});
+}
+
+TEST(FluidConfig, PathsOfWaterAreSeenFromTheFile)
+{
+    const std::string text = with("low = [0.0, 0.0]\nhigh = [0.1, 0.14]\n[[walls]]",
+                                  "shape = \"particles\"\nfile = \"states/a.h5\"\n[[walls]]");
+    base::ConfigReader reader(base::ConfigDocument::parse(text, "cases/tank/fluid.toml"));
+    EXPECT_EQ(read_fluid_config(reader).water.at(0).file, "cases/tank/states/a.h5");
 }
 
 } // namespace

@@ -22,7 +22,7 @@ FluidConfig tank(double spacing)
     config.domain.gravity = {0.0, -9.81};
     config.resolution.spacing = spacing;
     config.liquid.sound_speed = 30.0;
-    config.water.push_back({.low = {0.0, 0.0}, .high = {0.1, 0.14}, .velocity = {0.0, 0.0}});
+    config.water.push_back({.low = {0.0, 0.0}, .high = {0.1, 0.14}});
     return config;
 }
 
@@ -74,7 +74,7 @@ std::vector<Made> list(const Particles<2>& particles)
 TEST(InitialParticles, AreTheSameOnAnyNumberOfRanks)
 {
     FluidConfig config = tank(0.01);
-    config.water.push_back({.low = {0.2, 0.0}, .high = {0.25, 0.05}, .velocity = {1.0, 0.0}});
+    config.water.push_back({.low = {0.2, 0.0}, .high = {0.25, 0.05}, .velocity = {{"1"}, {"0"}}});
     const auto model = make_model<2>(config);
     const auto together = world().gather_all(list(initial_particles(config, model, world())));
     EXPECT_EQ(together, list(initial_particles(config, model, base::Communicator::self())));
@@ -83,7 +83,7 @@ TEST(InitialParticles, AreTheSameOnAnyNumberOfRanks)
 TEST(InitialParticles, OfTheSecondBodyHaveItsVelocity)
 {
     FluidConfig config = tank(0.01);
-    config.water.push_back({.low = {0.2, 0.0}, .high = {0.25, 0.05}, .velocity = {1.0, -2.0}});
+    config.water.push_back({.low = {0.2, 0.0}, .high = {0.25, 0.05}, .velocity = {{"1"}, {"-2"}}});
     const auto particles = initial_particles(config, make_model<2>(config), base::Communicator::self());
     ASSERT_EQ(particles.size(), 165U);
     EXPECT_EQ(particles.momentum[139], Vec<2>(0.0, 0.0));
@@ -96,7 +96,7 @@ TEST(InitialParticles, DiscOnRingsHasItsAreaAndCentre)
     FluidConfig config = tank(0.02);
     config.domain.gravity = {0.0, 0.0};
     config.initial.state = "uniform";
-    config.water = {{.shape = "disc", .centre = {1.0, 2.0}, .radius = 0.5, .velocity = {0.0, 0.0}}};
+    config.water = {{.shape = "disc", .centre = {1.0, 2.0}, .radius = 0.5}};
     const auto particles = initial_particles(config, make_model<2>(config), base::Communicator::self());
     double area = 0.0, reach = 0.0;
     Vec<2> centre = Vec<2>::Zero();
@@ -114,7 +114,7 @@ TEST(InitialParticles, UniformPressureGivesItsDensity)
 {
     FluidConfig config = tank(0.02);
     config.initial.state = "uniform";
-    config.initial.pressure = 500.0;
+    config.initial.pressure = {"500"};
     const auto model = make_model<2>(config);
     const auto particles = initial_particles(config, model, base::Communicator::self());
     EXPECT_NEAR(model.eos.pressure(particles.mass[3] / particles.volume[3]), 500.0, 1e-8);
@@ -123,9 +123,9 @@ TEST(InitialParticles, UniformPressureGivesItsDensity)
 TEST(InitialParticles, RefuseOverlapsAndSlivers)
 {
     FluidConfig config = tank(0.01);
-    config.water.push_back({.low = {0.05, 0.0}, .high = {0.2, 0.05}, .velocity = {0.0, 0.0}});
+    config.water.push_back({.low = {0.05, 0.0}, .high = {0.2, 0.05}});
     EXPECT_THROW(initial_particles(config, make_model<2>(config), base::Communicator::self()), base::Error);
-    config.water = {{.low = {0.0, 0.0}, .high = {0.1, 0.001}, .velocity = {0.0, 0.0}}};
+    config.water = {{.low = {0.0, 0.0}, .high = {0.1, 0.001}}};
     EXPECT_THROW(initial_particles(config, make_model<2>(config), base::Communicator::self()), base::Error);
 }
 
@@ -134,7 +134,7 @@ TEST(InitialParticles, FillACuboid)
     FluidConfig config = tank(0.05);
     config.domain.dimension = 3;
     config.domain.gravity = {0.0, 0.0, -9.81};
-    config.water = {{.low = {0, 0, 0}, .high = {0.1, 0.2, 0.3}, .velocity = {0, 0, 0}}};
+    config.water = {{.low = {0, 0, 0}, .high = {0.1, 0.2, 0.3}}};
     const auto particles = initial_particles(config, make_model<3>(config), base::Communicator::self());
     ASSERT_EQ(particles.size(), 48U);
     EXPECT_NEAR(particles.volume[0], 1.25e-4, 1e-18);
