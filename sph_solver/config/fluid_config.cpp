@@ -105,7 +105,7 @@ void check_probes(FluidConfig& config, const base::ConfigReader& reader, const V
         const std::string column = probe.name + "." + probe.quantity;
         base::require_input(names.insert(column).second, reader.where(path), ": a probe \"", column,
                             "\" exists already");
-        if (probe.quantity == "pressure" || probe.quantity == "velocity")
+        if (probe.quantity == "pressure" || probe.quantity == "velocity" || probe.quantity == "wall_pressure")
             vectors.required(probe.point, path + ".point");
         if (!probe.low.empty() || !probe.high.empty()) vectors.box(probe.low, probe.high, path);
         base::require_input(probe.axis != "z" || config.domain.dimension == 3, reader.where(path),

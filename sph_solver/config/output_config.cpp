@@ -16,16 +16,19 @@ base::Table<ProbeConfig> probe_table()
 {
     return base::Table<ProbeConfig>("a quantity followed over time in probes.csv")
         .key("name", &ProbeConfig::name, {.doc = "first part of the column's name", .required = true})
-        .key(
-            "quantity", &ProbeConfig::quantity,
-            {.doc =
-                 "pressure and velocity: kernel average at a point; front and back: largest and smallest coordinate of "
-                 "the water along the axis; mass, kinetic: of the water in the box",
-             .choices = {"pressure", "velocity", "front", "back", "mass", "kinetic"}})
-        .key("point", &ProbeConfig::point, {.unit = "m", .doc = "where, for pressure and velocity"})
+        .key("quantity", &ProbeConfig::quantity,
+             {.doc =
+                  "pressure and velocity: kernel average at a point; wall_pressure: mean over the particles before a "
+                  "square sensor in a wall; front and back: largest and smallest coordinate of the water along the "
+                  "axis; "
+                  "mass, kinetic: of the water in the box; semi_axes: of the ellipse with the water's second moments",
+              .choices = {"pressure", "velocity", "wall_pressure", "front", "back", "mass", "kinetic", "semi_axes"}})
+        .key("point", &ProbeConfig::point, {.unit = "m", .doc = "where, for pressure, velocity and wall_pressure"})
         .key("low", &ProbeConfig::low, {.unit = "m", .doc = "lowest corner of the box looked at; none: everywhere"})
         .key("high", &ProbeConfig::high, {.unit = "m", .doc = "highest corner of that box"})
-        .key("axis", &ProbeConfig::axis, {.doc = "direction of front and back", .choices = {"x", "y", "z"}});
+        .key("axis", &ProbeConfig::axis,
+             {.doc = "direction of front and back; normal of the sensor's wall", .choices = {"x", "y", "z"}})
+        .key("size", &ProbeConfig::size, {.unit = "m", .doc = "side of the sensor of wall_pressure", .min = 0});
 }
 
 } // namespace sph

@@ -22,6 +22,7 @@ struct ProbeConfig {
     std::vector<double> low = {};
     std::vector<double> high = {};
     std::string axis = "x";
+    double size = 0.0;
 };
 
 base::Table<OutputConfig> output_table();

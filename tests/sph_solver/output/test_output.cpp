@@ -58,7 +58,11 @@ Probes<2> probes()
              {.name = "low", .quantity = "back", .low = {0.0, 1.0}, .high = {2.0, 2.0}, .axis = "y"},
              {.name = "none", .quantity = "front", .low = {5.0, 5.0}, .high = {6.0, 6.0}},
              {.name = "left", .quantity = "mass", .low = {0.0, 0.0}, .high = {1.0, 2.0}},
-             {.name = "all", .quantity = "kinetic"}},
+             {.name = "all", .quantity = "kinetic"},
+             {.name = "sensor", .quantity = "wall_pressure", .point = {2.0, 1.0}, .axis = "x", .size = 0.52},
+             {.name = "small", .quantity = "wall_pressure", .point = {2.0, 1.02}, .axis = "x", .size = 0.01},
+             {.name = "lower", .quantity = "semi_axes", .low = {0.0, 0.0}, .high = {2.0, 1.0}},
+             {.name = "nothing", .quantity = "semi_axes", .low = {5.0, 5.0}, .high = {6.0, 6.0}}},
             CubicSpline<2>(0.123),
             0.1};
 }
@@ -67,7 +71,9 @@ TEST(Probes, NameTheirColumnsWithUnits)
 {
     EXPECT_EQ(probes().columns(),
               (std::vector<std::string>{"p.pressure[Pa]", "v.vx[m/s]", "v.vy[m/s]", "dry.pressure[Pa]", "tip.front[m]",
-                                        "low.back[m]", "none.front[m]", "left.mass[kg/m]", "all.kinetic[J/m]"}));
+                                        "low.back[m]", "none.front[m]", "left.mass[kg/m]", "all.kinetic[J/m]",
+                                        "sensor.wall_pressure[Pa]", "small.wall_pressure[Pa]", "lower.semi_axis_1[m]",
+                                        "lower.semi_axis_2[m]", "nothing.semi_axis_1[m]", "nothing.semi_axis_2[m]"}));
 }
 
 TEST(Probes, MeasureWhatTheySay)
@@ -84,6 +90,12 @@ TEST(Probes, MeasureWhatTheySay)
     double kinetic = 0.0;
     for (const Vec<2>& v : square().velocity) kinetic += 5.0 * v.squaredNorm();
     EXPECT_NEAR(values.at(8), kinetic, 1e-9);
+    EXPECT_NEAR(values.at(9), 1100.0, 1e-9);  // rows 0.75 to 1.25
+    EXPECT_NEAR(values.at(10), 1105.0, 1e-9); // as wide as dx: the row at 1.05
+    // a lattice of n points, dx apart, has the variance dx^2 (n^2 - 1)/12 along each direction
+    EXPECT_NEAR(values.at(11), 2.0 * std::sqrt(0.01 * 399.0 / 12.0), 1e-12);
+    EXPECT_NEAR(values.at(12), 2.0 * std::sqrt(0.01 * 99.0 / 12.0), 1e-12);
+    EXPECT_TRUE(std::isnan(values.at(13)));
 }
 
 TEST(Probes, DoNotDependOnThePartition)
