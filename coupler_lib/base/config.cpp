@@ -74,6 +74,12 @@ std::string near_miss(const ConfigNode& table, const std::string& key, const std
     return near.empty() ? "" : "; is '" + near + "' meant?";
 }
 
+std::string missing(const ConfigKey& key, const std::string& path)
+{
+    const std::string unit = key.info.unit.empty() ? "" : " [" + key.info.unit + "]";
+    return text(": '", key.name, "' is missing in [", path, "]: ", key.info.doc, unit);
+}
+
 }  // namespace
 
 void ConfigReader::read_table(const std::string& path, const ConfigNode* node, const std::string& doc,
@@ -85,18 +91,32 @@ void ConfigReader::read_table(const std::string& path, const ConfigNode* node, c
         record(path, doc, keys, object);
         return;
     }
-    if (node) claimed_.insert(node);
-    for (const auto& key : keys) {
-        const ConfigNode* child = node ? node->find(key.name) : nullptr;
-        if (node) known_keys_.emplace(node, key.name);
-        require_input(child || !key.info.required, node ? node->where : document_.file_name(), ": '", key.name, "' is missing in [",
-                      path, "]: ", key.info.doc, key.info.unit.empty() ? "" : " [" + key.info.unit + "]",
-                      !child && node ? near_miss(*node, key.name, keys) : "");
-        if (!child) continue;
-        claimed_.insert(child);
-        key.set(object, *child);
+    if (node) {
+        fill(path, *node, keys, object);
+    } else {
+        for (const auto& key : keys)
+            require_input(!key.info.required, document_.file_name(), missing(key, path));
     }
     record(path, doc, keys, object);
+}
+
+void ConfigReader::fill(const std::string& path, const ConfigNode& node, const std::vector<ConfigKey>& keys, void* object)
+{
+    claimed_.insert(&node);
+    for (const auto& key : keys) {
+        const ConfigNode* child = node.find(key.name);
+        known_keys_.emplace(&node, key.name);
+        require_input(child || !key.info.required, node.where, missing(key, path),
+                      child ? "" : near_miss(node, key.name, keys));
+        if (!child) continue;
+        claimed_.insert(child);
+        if (key.inner.empty()) {
+            key.set(object, *child);
+            continue;
+        }
+        require_input(child->is_table(), child->where, ": '", key.name, "' wants a table {...}, not ", child->kind());
+        fill(path + "." + key.name, *child, key.inner, key.part(object));
+    }
 }
 
 void ConfigReader::record(const std::string& path, const std::string& doc, const std::vector<ConfigKey>& keys,
@@ -108,12 +128,22 @@ void ConfigReader::record(const std::string& path, const std::string& doc, const
     for (const auto& key : keys) {
         const std::string unit = key.info.unit.empty() ? "" : " [" + key.info.unit + "]";
         used_ += fmt::format("{} = {}{}\n", key.name, key.print(object), unit.empty() ? "" : "  #" + unit);
-        const std::string range = key.range_text();
-        help_ += fmt::format("  {:<24} {}{}, default {}{}\n      {}\n", key.name, key.type, unit, key.default_text(object),
-                             range.empty() ? "" : ", " + range, key.info.doc);
+        describe_key(key, object, "  ");
     }
     used_ += "\n";
     help_ += "\n";
+}
+
+void ConfigReader::describe_key(const ConfigKey& key, const void* object, const std::string& indent)
+{
+    const std::string unit = key.info.unit.empty() ? "" : " [" + key.info.unit + "]";
+    const std::string range = key.range_text();
+    const std::string start = key.inner.empty() ? ", default " + key.default_text(object) : "";
+    help_ += fmt::format("{}{:<24} {}{}{}{}\n{}    {}\n", indent, key.name, key.type, unit, start,
+                         range.empty() ? "" : ", " + range, indent, key.info.doc);
+    if (key.inner.empty()) return;
+    const void* part = key.part(const_cast<void*>(object));
+    for (const auto& inner : key.inner) describe_key(inner, part, indent + "    ");
 }
 
 void ConfigReader::finish() const { check_claimed(document_.root(), ""); }

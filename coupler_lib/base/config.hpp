@@ -70,6 +70,8 @@ private:
     std::vector<std::string> names_at(const std::string& path);
     void read_table(const std::string& path, const ConfigNode* node, const std::string& doc,
                     const std::vector<ConfigKey>& keys, void* object);
+    void fill(const std::string& path, const ConfigNode& node, const std::vector<ConfigKey>& keys, void* object);
+    void describe_key(const ConfigKey& key, const void* object, const std::string& indent);
     void record(const std::string& path, const std::string& doc, const std::vector<ConfigKey>& keys,
                 const void* object);
     void check_claimed(const ConfigNode& table, const std::string& path) const;

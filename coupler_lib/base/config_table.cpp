@@ -30,6 +30,13 @@ std::string to_toml(const std::string& value)
     return quoted + "\"";
 }
 
+std::string inline_table(const std::vector<ConfigKey>& keys, const void* object)
+{
+    std::string result = "{";
+    for (const auto& key : keys) result += (result.size() > 1 ? ", " : "") + key.name + " = " + key.print(object);
+    return result + "}";
+}
+
 std::string ConfigKey::range_text() const
 {
     if (!info.choices.empty()) {

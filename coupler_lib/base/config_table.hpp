@@ -27,10 +27,15 @@ struct ConfigKey {
     std::string type;
     std::function<void(void* object, const ConfigNode&)> set;
     std::function<std::string(const void* object)> print;  ///< the value as TOML
+    std::vector<ConfigKey> inner = {};                     ///< keys of a table within the table; empty for a value
+    std::function<void*(void* object)> part = {};          ///< the struct that the inner keys fill
 
     std::string default_text(const void* object) const { return info.required ? "required" : print(object); }
     std::string range_text() const;
 };
+
+/// Keys and values as an inline table, {a = 1, b = 2}.
+std::string inline_table(const std::vector<ConfigKey>& keys, const void* object);
 
 // The value as TOML, and the type in words.
 std::string to_toml(double value);
@@ -95,6 +100,23 @@ public:
         };
         key.print = [member](const void* object) { return to_toml(static_cast<const T*>(object)->*member); };
         key.info = std::move(info);
+        keys_.push_back(std::move(key));
+        return *this;
+    }
+
+    /// A table within the table, name = {a = ..., b = ...}. Absent, it keeps its defaults.
+    template <class Member>
+    Table& table(const std::string& name, Member T::*member, const Table<Member>& inner)
+    {
+        ConfigKey key;
+        key.name = name;
+        key.type = "table";
+        key.info.doc = inner.doc();
+        key.inner = inner.keys();
+        key.part = [member](void* object) -> void* { return &(static_cast<T*>(object)->*member); };
+        key.print = [member, keys = inner.keys()](const void* object) {
+            return inline_table(keys, &(static_cast<const T*>(object)->*member));
+        };
         keys_.push_back(std::move(key));
         return *this;
     }
