@@ -2,8 +2,8 @@
 #include "sph_solver/fluid_simulation.hpp"
 
 #include "sph_solver/output/state_hash.hpp"
-#include "sph_solver/setup/fixed_walls.hpp"
 #include "sph_solver/setup/initial_state.hpp"
+#include "sph_solver/setup/rigid_walls.hpp"
 
 namespace sph {
 namespace {
@@ -47,7 +47,7 @@ FluidSimulation<D>::FluidSimulation(const FluidConfig& config, coupler::Session&
       session_(session),
       model_(make_model<D>(config)),
       end_time_(end_time(config, session)),
-      walls_(make_walls(config, model_)),
+      walls_(make_walls(config, model_, end_time_)),
       search_(make_search(config, model_)),
       domain_(session.comm(), search_.grid(), {config.parallel.imbalance_limit, config.parallel.rebuilds_between}),
       outflow_(make_outflow(config, model_)),
@@ -108,6 +108,7 @@ template<int D> void FluidSimulation<D>::advance()
     session_.participant().set_clock(now_.step, now_.time);
     session_.participant().check_signals();
     try {
+        walls_.start_step(now_.time);
         step_.advance(particles_, next_dt_);
         updates_ += static_cast<double>(particles_.owned.size());
         now_ = {now_.step + 1, now_.time + next_dt_, next_dt_, false};

@@ -113,13 +113,16 @@ void check_probes(FluidConfig& config, const base::ConfigReader& reader, const V
     }
 }
 
-void check_walls(const FluidConfig& config, const base::ConfigReader& reader)
+void check_walls(FluidConfig& config, const base::ConfigReader& reader)
 {
     std::set<std::string> names;
     for (std::size_t k = 0; k < config.walls.size(); ++k) {
         base::require_input(names.insert(config.walls[k].name).second, reader.where(element("walls", k)), ": a wall \"",
                             config.walls[k].name, "\" exists already");
+        resolve(config.walls[k].file, reader);
         wall_shape(config.walls[k], config.domain.dimension);
+        resolve(config.walls[k].motion.table, reader);
+        check_motion(config.walls[k], config.domain.dimension);
     }
 }
 

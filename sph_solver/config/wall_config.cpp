@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/config/wall_config.hpp"
 
+#include "coupler_lib/base/stl_file.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
 #include <algorithm>
@@ -97,6 +98,17 @@ void add_box(WallShape& result, const WallConfig& wall)
     add_box_3d(result, wall);
 }
 
+void add_stl(WallShape& result, const WallConfig& wall)
+{
+    base::require_input(result.dimension == 3, "wall \"", wall.name, "\": an STL file is a shape in 3D");
+    base::require_input(!wall.file.empty(), "wall \"", wall.name, "\": the shape stl needs a file");
+    const base::TriangleMesh mesh = base::read_stl(wall.file, wall.unit);
+    for (const auto& corner : mesh.corners)
+        result.vertices.insert(result.vertices.end(), {corner.x(), corner.y(), corner.z()});
+    for (const auto& [a, b, c] : mesh.triangles)
+        result.facets.push_back(wall.flip ? std::array{a, c, b, -1} : std::array{a, b, c, -1});
+}
+
 void require_extent(const WallShape& wall)
 {
     const auto dimension = static_cast<std::size_t>(wall.dimension);
@@ -111,6 +123,19 @@ void require_extent(const WallShape& wall)
     }
 }
 
+base::Table<WallMotionConfig> motion_table()
+{
+    return base::Table<WallMotionConfig>("prescribed motion of the wall from its place in the file")
+        .key("translation", &WallMotionConfig::translation, {.unit = "m", .doc = "displacement, formulas of t"})
+        .key("table", &WallMotionConfig::table,
+             {.doc =
+                  "CSV file with the columns t[s], x[m], y[m] (, z[m]) of the displacement; a spline goes through it"})
+        .key("rotation", &WallMotionConfig::rotation,
+             {.unit = "rad", .doc = "angle, formula of t, counterclockwise about the axis"})
+        .key("centre", &WallMotionConfig::centre, {.unit = "m", .doc = "point of the axis, translated with the wall"})
+        .key("axis", &WallMotionConfig::axis, {.doc = "direction of the axis (3D)"});
+}
+
 } // namespace
 
 base::Table<WallConfig> wall_table()
@@ -118,7 +143,8 @@ base::Table<WallConfig> wall_table()
     return base::Table<WallConfig>("a rigid wall; the order of its points says where the solid is: left of a -> b")
         .key("name", &WallConfig::name, {.doc = "name in messages and outputs", .required = true})
         .key("shape", &WallConfig::shape,
-             {.doc = "polyline: through points; box: the inside of low..high", .choices = {"polyline", "box"}})
+             {.doc = "polyline: through points; box: the inside of low..high; stl: triangles of a file (3D)",
+              .choices = {"polyline", "box", "stl"}})
         .key("points", &WallConfig::points, {.unit = "m", .doc = "corners [[x, y], ...] of a polyline"})
         .key("closed", &WallConfig::closed, {.doc = "join the last point to the first"})
         .key("low", &WallConfig::low, {.unit = "m", .doc = "lowest corner of a box"})
@@ -126,7 +152,30 @@ base::Table<WallConfig> wall_table()
         .key("open", &WallConfig::open,
              {.doc = "sides of a box without a wall (2D: y is up; 3D: z is up)",
               .choices = {"left", "right", "bottom", "top", "front", "back"}})
-        .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"});
+        .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"})
+        .key("file", &WallConfig::file, {.doc = "STL file; its normals point into the water"})
+        .key("unit", &WallConfig::unit, {.unit = "m", .doc = "length of one unit of the STL file", .positive = true})
+        .key("flip", &WallConfig::flip, {.doc = "turn the triangles over: the water is inside of the STL body"})
+        .key("slip", &WallConfig::slip, {.doc = "water slips along the wall; false: it sticks to it"})
+        .table("motion", &WallConfig::motion, motion_table());
+}
+
+void check_motion(const WallConfig& wall, int dimension)
+{
+    const WallMotionConfig& motion = wall.motion;
+    const auto count = static_cast<std::size_t>(dimension);
+    base::require_input(motion.translation.empty() || motion.table.empty(), "wall \"", wall.name,
+                        "\": its motion has a translation and a table; give one of them");
+    base::require_input(motion.translation.empty() || motion.translation.size() == count, "wall \"", wall.name,
+                        "\": motion.translation has ", motion.translation.size(), " formulas, ", count, " are needed");
+    if (motion.rotation.text.empty()) return;
+    require_numbers(motion.centre, count, wall, "motion.centre");
+    require_numbers(motion.axis, 3, wall, "motion.axis");
+    double square = 0.0;
+    for (const double component : motion.axis) square += component * component;
+    base::require_input(square > 0.0, "wall \"", wall.name, "\": motion.axis has no length");
+    base::require_input(dimension == 3 || (motion.axis[0] == 0.0 && motion.axis[1] == 0.0), "wall \"", wall.name,
+                        "\": in 2D a wall turns about the z axis only");
 }
 
 WallShape wall_shape(const WallConfig& wall, int dimension)
@@ -134,11 +183,15 @@ WallShape wall_shape(const WallConfig& wall, int dimension)
     WallShape result;
     result.name = wall.name;
     result.dimension = dimension;
-    const bool is_box = wall.shape == "box";
-    base::require_input(is_box ? wall.points.empty() : wall.low.empty() && wall.high.empty(), "wall \"", wall.name,
-                        "\": a box has low and high, a polyline has points; this one mixes them");
-    if (is_box) {
+    const bool has_points = !wall.points.empty(), has_box = !wall.low.empty() || !wall.high.empty();
+    base::require_input((wall.shape == "polyline" || !has_points) && (wall.shape == "box" || !has_box) &&
+                            (wall.shape == "stl" || wall.file.empty()),
+                        "wall \"", wall.name,
+                        "\": a box has low and high, a polyline has points, stl has a file; this one mixes them");
+    if (wall.shape == "box") {
         add_box(result, wall);
+    } else if (wall.shape == "stl") {
+        add_stl(result, wall);
     } else {
         add_polyline(result, wall);
         require_extent(result);

@@ -2,12 +2,24 @@
 #pragma once
 
 #include "coupler_lib/base/config.hpp"
+#include "coupler_lib/base/expression.hpp"
 
 #include <array>
 #include <string>
 #include <vector>
 
 namespace sph {
+
+/// motion = {...} of a wall: how it leaves the place that it has in the file.
+struct WallMotionConfig {
+    std::vector<base::Formula> translation = {};
+    std::string table = {};
+    base::Formula rotation = {};
+    std::vector<double> centre = {};
+    std::vector<double> axis = {0.0, 0.0, 1.0};
+
+    bool moves() const { return !translation.empty() || !table.empty() || !rotation.text.empty(); }
+};
 
 /// [[walls]]: a rigid wall as written in the file.
 struct WallConfig {
@@ -19,9 +31,17 @@ struct WallConfig {
     std::vector<double> high = {};
     std::vector<std::string> open = {};
     std::vector<double> depth = {};
+    std::string file = {};
+    double unit = 1.0;
+    bool flip = false;
+    bool slip = true;
+    WallMotionConfig motion = {};
 };
 
 base::Table<WallConfig> wall_table();
+
+/// Checks the motion of a wall for itself: lengths, contradictions. Throws Error(bad_input), naming the wall.
+void check_motion(const WallConfig& wall, int dimension);
 
 /// A wall as facets, in the convention of the coupling interface: the outward normal points from the solid into the
 /// fluid. 2D: segments (a, b), n = (t_y, -t_x) with t = b - a, the solid on the left; 3D: quadrilaterals,

@@ -41,7 +41,7 @@ template<int D> void set_interface_motion(Walls<D>& walls, const coupler::FacetB
                         D);
     const VertexMotion<D> motion{vectors<D>(batch.motion.position), vectors<D>(batch.motion.velocity),
                                  vectors<D>(batch.motion.acceleration)};
-    walls.set_moving("interface", motion, split_facets<D>(batch.facet_nodes));
+    walls.set_moving({"interface"}, motion, split_facets<D>(batch.facet_nodes));
 }
 
 template<int D> coupler::RegionBox region_of(const Particles<D>& particles, double margin, double step)
@@ -63,7 +63,7 @@ Resultant resultant(const coupler::FacetLoads& loads, const Walls<D>& walls, con
                     const base::Communicator& comm)
 {
     std::vector<base::ReproducibleSum> sums(6);
-    const auto first = static_cast<std::size_t>(walls.facets().fixed_vertices());
+    const auto first = static_cast<std::size_t>(walls.facets().rigid_vertices());
     if (!loads.corner_force.empty()) {
         for_each_corner(batch, [&](std::size_t f, std::size_t c, std::size_t node) {
             std::array<double, 3> x{}, force{};
@@ -94,7 +94,7 @@ base::ReproducibleSum jump_work(const coupler::FacetLoads& loads, const Walls<D>
 {
     base::ReproducibleSum work;
     if (loads.corner_force.empty()) return work;
-    const auto first = static_cast<std::size_t>(walls.facets().fixed_vertices());
+    const auto first = static_cast<std::size_t>(walls.facets().rigid_vertices());
     for_each_corner(before, [&](std::size_t f, std::size_t c, std::size_t node) {
         const Vec<D> force = corner_force<D>(loads, f, c);
         const auto& ids = after.node_ids;

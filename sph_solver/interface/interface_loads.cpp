@@ -45,7 +45,7 @@ template<int D> void InterfaceLoads<D>::begin(const Walls<D>& walls, std::size_t
 template<int D> void InterfaceLoads<D>::make_patches(const Walls<D>& walls)
 {
     const auto& facets = walls.facets();
-    for (int f = facets.first_moving(); f < facets.size(); ++f) {
+    for (int f = facets.first_of_interface(); f < facets.size(); ++f) {
         Patch& patch = patches_[static_cast<std::size_t>(facets[f].source)];
         const Vec<D> area = base::area_vector(facets.corners(f));
         Vec<D> middle = Vec<D>::Zero();
@@ -85,8 +85,9 @@ template<int D> double InterfaceLoads<D>::patch_measure(const Walls<D>& walls, c
     const auto& facets = walls.facets();
     const Vec<D> centre = patch.centre();
     double measure = 0;
-    for (int f = facets.first_moving(); f < facets.size(); ++f)
-        if (same_sheet(patch, facets.normal(f))) measure += measure_within(facets.corners(f), centre, settings_.spacing);
+    for (int f = facets.first_of_interface(); f < facets.size(); ++f)
+        if (same_sheet(patch, facets.normal(f)))
+            measure += measure_within(facets.corners(f), centre, settings_.spacing);
     return std::max(measure, patch.measure);
 }
 
@@ -96,9 +97,10 @@ void InterfaceLoads<D>::add(const Particles<D>& particles, const Walls<D>& walls
 {
     const auto& facets = walls.facets();
     for (const WallContact& contact : walls.contacts().contacts) {
-        for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end); ++p) {
+        for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end);
+             ++p) {
             const MirrorPlane<D>& plane = walls.contacts().planes[p];
-            if (!facets.moves(plane.facet)) continue;
+            if (!facets.is_wet(plane.facet)) continue;
             add_force(walls, plane, weight * on_wall[p]);
             if (averaged_ && plane.distance < reach * settings_.spacing)
                 add_average(particles, static_cast<std::size_t>(contact.particle), plane, facets[plane.facet].source,
@@ -108,7 +110,8 @@ void InterfaceLoads<D>::add(const Particles<D>& particles, const Walls<D>& walls
 }
 
 /// Gives a force to the corners of its footprint.
-template<int D> void InterfaceLoads<D>::add_force(const Walls<D>& walls, const MirrorPlane<D>& plane, const Vec<D>& force)
+template<int D>
+void InterfaceLoads<D>::add_force(const Walls<D>& walls, const MirrorPlane<D>& plane, const Vec<D>& force)
 {
     for (int part = plane.footprint_begin; part < plane.footprint_end; ++part) {
         const auto& [number, share] = walls.contacts().footprints[static_cast<std::size_t>(part)];
@@ -122,8 +125,8 @@ template<int D> void InterfaceLoads<D>::add_force(const Walls<D>& walls, const M
 }
 
 template<int D>
-void InterfaceLoads<D>::add_average(const Particles<D>& particles, std::size_t i, const MirrorPlane<D>& plane, int source,
-                                    const Vec<D>& normal, double weight)
+void InterfaceLoads<D>::add_average(const Particles<D>& particles, std::size_t i, const MirrorPlane<D>& plane,
+                                    int source, const Vec<D>& normal, double weight)
 {
     const Vec<D> to_wall = plane.point - particles.position[i];
     const double pressure =

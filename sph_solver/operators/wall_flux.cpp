@@ -97,7 +97,7 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
         for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end);
              ++p) {
             const double part = -forces.on_wall[p].dot(planes[p].velocity);
-            (walls.facets().moves(planes[p].facet) ? power.by_interface : power.by_walls).add(weight * part);
+            (walls.facets().is_wet(planes[p].facet) ? power.by_interface : power.by_walls).add(weight * part);
             work += part;
         }
         const GradientSums<D>& sum = sums[contact.row];

@@ -124,6 +124,7 @@ template<int D> MirrorPlane<D> ContactFinder<D>::plane_at(const Vec<D>& x, int a
     }
     plane.velocity = facets_.velocity(plane.facet, plane.weight);
     plane.acceleration = facets_.acceleration(plane.facet, plane.weight);
+    plane.no_slip = facets_.body_of(plane.facet).no_slip;
     return plane;
 }
 

@@ -7,7 +7,7 @@
 namespace sph {
 namespace {
 
-constexpr double cos_opposite = -0.5;      // a footprint goes round edges, not to the far side of a plate
+constexpr double cos_opposite = -0.5; // a footprint goes round edges, not to the far side of a plate
 constexpr double samples_per_radius = 3.0;
 
 /// Calls visit(shape functions) for the samples of a facet cut in n parts along each edge; all stand for the same measure.
@@ -46,8 +46,8 @@ template<int D> Vec<D> point_at(const base::Simplex<D>& corners, const std::arra
 
 template<int D>
 FootprintFinder<D>::FootprintFinder(const WallFacets<D>& facets, const Touching<D>& touching,
-                                    const WallSettings<D>& settings) :
-    facets_(facets), touching_(touching), radius_(settings.spacing)
+                                    const WallSettings<D>& settings)
+    : facets_(facets), touching_(touching), radius_(settings.spacing)
 {}
 
 template<int D> void FootprintFinder<D>::append(MirrorPlane<D>& plane, std::vector<FootprintPart<D>>& parts)
@@ -75,7 +75,7 @@ template<int D> void FootprintFinder<D>::gather_sheet(const MirrorPlane<D>& plan
     const Vec<D>& normal = facets_.normal(plane.facet);
     for (std::size_t head = 0; head < sheet_.size(); ++head)
         for (const int other : touching_.of(sheet_[head])) {
-            if (!facets_.moves(other) || std::find(sheet_.begin(), sheet_.end(), other) != sheet_.end()) continue;
+            if (!facets_.is_wet(other) || std::find(sheet_.begin(), sheet_.end(), other) != sheet_.end()) continue;
             if (facets_.normal(other).dot(normal) < cos_opposite) continue;
             const auto closest = base::closest_point(facets_.corners(other), plane.point);
             if (closest.squared_distance < radius_ * radius_) sheet_.push_back(other);

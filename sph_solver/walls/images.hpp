@@ -160,7 +160,7 @@ void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_
         state.density_gradient += (2 * (slope - state.density_gradient.dot(n))) * n;
         const Vec<D> along = state.velocity_gradient * n;
         Mat<D> gradient = state.velocity_gradient - (2 * along) * n.transpose(); // grad v R
-        if (settings.no_slip) {
+        if (plane.no_slip) {
             state.velocity = 2 * plane.velocity - state.velocity;
             state.velocity_gradient = -gradient;
         } else {
@@ -180,7 +180,7 @@ void mirror_values(Vec<D>& velocity, double& density, const Image<D>& image, dou
         const Vec<D>& n = plane.normal;
         const double slope = density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
         density -= 2 * image.height[static_cast<std::size_t>(k)] * slope;
-        if (settings.no_slip)
+        if (plane.no_slip)
             velocity = 2 * plane.velocity - velocity;
         else
             velocity -= (2 * (velocity - plane.velocity).dot(n)) * n;

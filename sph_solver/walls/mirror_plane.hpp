@@ -14,12 +14,11 @@ inline constexpr std::size_t max_planes = 3;
 
 /// What is fixed for all images.
 template<int D> struct WallSettings {
-    double spacing = 0;                  ///< particle spacing dx [m]
-    double support = 0;                  ///< kernel support 2h [m]
-    Vec<D> gravity = Vec<D>::Zero();     ///< g [m/s^2]
-    double sheet_angle = 10;             ///< touching facets within this angle give one plane [degrees]
-    double image_distance = 0.2;         ///< a particle's own image stays this far away [dx]
-    bool no_slip = false;                ///< images with the velocity 2 v_w - v instead of the mirrored one
+    double spacing = 0;              ///< particle spacing dx [m]
+    double support = 0;              ///< kernel support 2h [m]
+    Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
+    double sheet_angle = 10;         ///< touching facets within this angle give one plane [degrees]
+    double image_distance = 0.2;     ///< a particle's own image stays this far away [dx]
 };
 
 /// A half-space that cuts images off: the fluid of another face of the same body begins at normal.x = offset.
@@ -32,13 +31,14 @@ template<int D> struct Cut {
 template<int D> struct MirrorPlane {
     static constexpr std::size_t max_cuts = 2 * D;
 
-    Vec<D> point = Vec<D>::Zero();        ///< x_w [m]
-    Vec<D> normal = Vec<D>::Zero();       ///< n, into the fluid
-    Vec<D> velocity = Vec<D>::Zero();     ///< v_w [m/s], mean over the footprint of a moving wall
-    Vec<D> acceleration = Vec<D>::Zero(); ///< a_w [m/s^2], likewise
-    double distance = 0;                  ///< (x_i - x_w).n [m], negative inside the wall
-    int facet = -1;                       ///< that x_w lies on
-    std::array<double, D> weight{};       ///< shape functions of the facet's corners at x_w
+    Vec<D> point = Vec<D>::Zero();              ///< x_w [m]
+    Vec<D> normal = Vec<D>::Zero();             ///< n, into the fluid
+    Vec<D> velocity = Vec<D>::Zero();           ///< v_w [m/s], mean over the footprint of a moving wall
+    Vec<D> acceleration = Vec<D>::Zero();       ///< a_w [m/s^2], likewise
+    double distance = 0;                        ///< (x_i - x_w).n [m], negative inside the wall
+    bool no_slip = false;                       ///< images have the velocity 2 v_w - v instead of the mirrored one
+    int facet = -1;                             ///< that x_w lies on
+    std::array<double, D> weight{};             ///< shape functions of the facet's corners at x_w
     int footprint_begin = 0, footprint_end = 0; ///< of a moving wall: its part of WallContacts::footprints
     std::array<Cut<D>, max_cuts> cuts;
     std::size_t cut_count = 0;

@@ -6,40 +6,60 @@
 namespace sph {
 
 template<int D>
-void WallFacets<D>::add_fixed(const std::string& body, const std::vector<Vec<D>>& vertices,
+void WallFacets<D>::add_fixed(const WallBody& body, const std::vector<Vec<D>>& vertices,
                               std::vector<WallFacet<D>> facets)
 {
-    base::ensure(fixed_facets_ == size(), "fixed walls are added before moving ones");
-    bodies_.push_back(body);
-    const int first_vertex = static_cast<int>(position_.size());
-    position_.insert(position_.end(), vertices.begin(), vertices.end());
-    velocity_.resize(position_.size(), Vec<D>::Zero());
-    for (auto& facet : facets) facet.body = fixed_bodies_;
-    append(facets, first_vertex);
-    fixed_facets_ = size();
-    fixed_vertices_ = static_cast<int>(position_.size());
-    fixed_bodies_ = static_cast<int>(bodies_.size());
+    base::ensure(still_facets_ == size(), "walls that stand still are added before those that move");
+    add_rigid(body, vertices, std::move(facets));
+    still_facets_ = rigid_facets_;
+    still_vertices_ = rigid_vertices_;
 }
 
 template<int D>
-void WallFacets<D>::set_moving(const std::string& body, const VertexMotion<D>& motion, std::vector<WallFacet<D>> facets)
+void WallFacets<D>::add_driven(const WallBody& body, const std::vector<Vec<D>>& vertices,
+                               std::vector<WallFacet<D>> facets, RigidMotion<D> motion)
 {
-    const auto kept = static_cast<std::size_t>(fixed_facets_);
+    driven_.push_back({position_.size(), vertices, std::move(motion)});
+    add_rigid(body, vertices, std::move(facets));
+    move(0.0);
+}
+
+template<int D>
+void WallFacets<D>::add_rigid(const WallBody& body, const std::vector<Vec<D>>& vertices,
+                              std::vector<WallFacet<D>> facets)
+{
+    base::ensure(rigid_facets_ == size(), "rigid walls are added before the interface");
+    for (auto& facet : facets) facet.body = rigid_bodies_;
+    bodies_.push_back(body);
+    position_.insert(position_.end(), vertices.begin(), vertices.end());
+    resize_vertices(position_.size());
+    append(facets, rigid_vertices_);
+    rigid_facets_ = size();
+    rigid_vertices_ = static_cast<int>(position_.size());
+    rigid_bodies_ = static_cast<int>(bodies_.size());
+}
+
+template<int D> void WallFacets<D>::resize_vertices(std::size_t count)
+{
+    position_.resize(count);
+    velocity_.resize(count, Vec<D>::Zero());
+    acceleration_.resize(count, Vec<D>::Zero());
+}
+
+template<int D>
+void WallFacets<D>::set_moving(const WallBody& body, const VertexMotion<D>& motion, std::vector<WallFacet<D>> facets)
+{
+    const auto kept = static_cast<std::size_t>(rigid_facets_);
     facets_.resize(kept);
     corners_.resize(kept);
     normals_.resize(kept);
-    bodies_.resize(static_cast<std::size_t>(fixed_bodies_));
+    bodies_.resize(static_cast<std::size_t>(rigid_bodies_));
     bodies_.push_back(body);
     start_ = motion;
-    const auto vertices = static_cast<std::size_t>(fixed_vertices_) + motion.position.size();
-    position_.resize(vertices);
-    velocity_.resize(vertices);
-    for (std::size_t v = 0; v < motion.position.size(); ++v) {
-        position_[static_cast<std::size_t>(fixed_vertices_) + v] = motion.position[v];
-        velocity_[static_cast<std::size_t>(fixed_vertices_) + v] = motion.velocity[v];
-    }
-    for (auto& facet : facets) facet.body = fixed_bodies_;
-    append(facets, fixed_vertices_);
+    resize_vertices(static_cast<std::size_t>(rigid_vertices_) + motion.position.size());
+    for (auto& facet : facets) facet.body = rigid_bodies_;
+    move_interface(0.0);
+    append(facets, rigid_vertices_);
 }
 
 template<int D> void WallFacets<D>::append(const std::vector<WallFacet<D>>& facets, int first_vertex)
@@ -56,12 +76,29 @@ template<int D> void WallFacets<D>::append(const std::vector<WallFacet<D>>& face
 
 template<int D> void WallFacets<D>::move(double s)
 {
-    const auto first = static_cast<std::size_t>(fixed_vertices_);
+    for (const Driven& body : driven_) place(body, step_start_ + s);
+    move_interface(s);
+    update_facets(still_facets_);
+}
+
+template<int D> void WallFacets<D>::place(const Driven& body, double time)
+{
+    const RigidPlace<D> place = body.motion.at(time);
+    for (std::size_t v = 0; v < body.in_file.size(); ++v) {
+        position_[body.first_vertex + v] = place.position(body.in_file[v]);
+        velocity_[body.first_vertex + v] = place.velocity_of(body.in_file[v]);
+        acceleration_[body.first_vertex + v] = place.acceleration_of(body.in_file[v]);
+    }
+}
+
+template<int D> void WallFacets<D>::move_interface(double s)
+{
+    const auto first = static_cast<std::size_t>(rigid_vertices_);
     for (std::size_t v = 0; v < start_.position.size(); ++v) {
         position_[first + v] = start_.position[v] + s * start_.velocity[v] + (0.5 * s * s) * start_.acceleration[v];
         velocity_[first + v] = start_.velocity[v] + s * start_.acceleration[v];
+        acceleration_[first + v] = start_.acceleration[v];
     }
-    update_facets(fixed_facets_);
 }
 
 template<int D> void WallFacets<D>::update_facets(int first)
@@ -71,7 +108,7 @@ template<int D> void WallFacets<D>::update_facets(int first)
         const Vec<D> area = base::area_vector(corners_[f]);
         const double measure = area.norm();
         base::require(measure > 0, base::ExitCode::bad_input, "a facet of wall '",
-                      bodies_[static_cast<std::size_t>(facets_[f].body)], "' at (", corners_[f][0].transpose(),
+                      bodies_[static_cast<std::size_t>(facets_[f].body)].name, "' at (", corners_[f][0].transpose(),
                       ") has no extent");
         normals_[f] = area / measure;
     }
@@ -88,10 +125,8 @@ template<int D> Vec<D> WallFacets<D>::velocity(int facet, const std::array<doubl
 template<int D> Vec<D> WallFacets<D>::acceleration(int facet, const std::array<double, D>& weight) const
 {
     Vec<D> value = Vec<D>::Zero();
-    if (!moves(facet)) return value;
     const auto& vertex = (*this)[facet].vertex;
-    for (std::size_t c = 0; c < D; ++c)
-        value += weight[c] * start_.acceleration[static_cast<std::size_t>(vertex[c] - fixed_vertices_)];
+    for (std::size_t c = 0; c < D; ++c) value += weight[c] * acceleration_[static_cast<std::size_t>(vertex[c])];
     return value;
 }
 

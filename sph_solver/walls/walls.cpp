@@ -9,27 +9,41 @@
 #include <cmath>
 
 namespace sph {
+namespace {
 
+template<int D> std::vector<Vec<D>> points(const std::vector<double>& coordinates)
+{
+    std::vector<Vec<D>> result(coordinates.size() / D);
+    for (std::size_t v = 0; v < result.size(); ++v) result[v] = Eigen::Map<const Vec<D>>(&coordinates[v * D]);
+    return result;
+}
+
+} // namespace
 
 template<int D>
-void Walls<D>::add_fixed(const std::string& body, const std::vector<double>& coordinates,
+void Walls<D>::add_fixed(const WallBody& body, const std::vector<double>& coordinates,
                          const std::vector<std::array<int, 4>>& facets)
 {
-    std::vector<Vec<D>> vertices(coordinates.size() / D);
-    for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = Eigen::Map<const Vec<D>>(&coordinates[v * D]);
-    facets_.add_fixed(body, vertices, split_facets<D>(facets));
+    facets_.add_fixed(body, points<D>(coordinates), split_facets<D>(facets));
     stale_ = true;
 }
 
 template<int D>
-void Walls<D>::set_moving(const std::string& body, const VertexMotion<D>& motion,
-                          const std::vector<WallFacet<D>>& facets)
+void Walls<D>::add_driven(const WallBody& body, const std::vector<double>& coordinates,
+                          const std::vector<std::array<int, 4>>& facets, RigidMotion<D> motion)
 {
-    const int first = facets_.first_moving();
+    facets_.add_driven(body, points<D>(coordinates), split_facets<D>(facets), std::move(motion));
+    stale_ = true;
+}
+
+template<int D>
+void Walls<D>::set_moving(const WallBody& body, const VertexMotion<D>& motion, const std::vector<WallFacet<D>>& facets)
+{
+    const int first = facets_.first_of_interface();
     bool same = facets_.size() - first == static_cast<int>(facets.size());
     for (std::size_t f = 0; same && f < facets.size(); ++f) {
         const WallFacet<D>& old = facets_[first + static_cast<int>(f)];
-        for (std::size_t c = 0; c < D; ++c) same &= old.vertex[c] == facets[f].vertex[c] + facets_.fixed_vertices();
+        for (std::size_t c = 0; c < D; ++c) same &= old.vertex[c] == facets[f].vertex[c] + facets_.rigid_vertices();
         same &= old.source == facets[f].source && old.corner == facets[f].corner;
     }
     stale_ = stale_ || !same;
@@ -55,7 +69,8 @@ template<int D> void Walls<D>::prepare(const Particles<D>& particles, double ski
         const int begin = static_cast<int>(candidates_.size());
         for (const int f : grid_.near(x))
             if (base::closest_point(facets_.corners(f), x).squared_distance < reach * reach) candidates_.push_back(f);
-        if (static_cast<int>(candidates_.size()) > begin) rows_.push_back({k, begin, static_cast<int>(candidates_.size())});
+        if (static_cast<int>(candidates_.size()) > begin)
+            rows_.push_back({k, begin, static_cast<int>(candidates_.size())});
     }
     prepared_at_ = facets_.positions();
     stale_ = false;
@@ -66,7 +81,7 @@ template<int D> double Walls<D>::largest_displacement() const
     if (stale_) return std::numeric_limits<double>::max();
     double largest = 0;
     const auto& now = facets_.positions();
-    for (auto v = static_cast<std::size_t>(facets_.fixed_vertices()); v < now.size(); ++v)
+    for (auto v = static_cast<std::size_t>(facets_.still_vertices()); v < now.size(); ++v)
         largest = std::max(largest, (now[v] - prepared_at_[v]).squaredNorm());
     return std::sqrt(largest);
 }
@@ -88,7 +103,7 @@ template<int D> void Walls<D>::find_contacts(const Particles<D>& particles)
         const int last = static_cast<int>(contacts_.planes.size());
         if (last > first) contacts_.contacts.push_back({row.row, i, first, last});
         for (auto plane = contacts_.planes.begin() + first; plane != contacts_.planes.end(); ++plane)
-            if (facets_.moves(plane->facet)) footprints.append(*plane, contacts_.footprints);
+            if (facets_.is_wet(plane->facet)) footprints.append(*plane, contacts_.footprints);
     }
 }
 

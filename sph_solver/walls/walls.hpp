@@ -17,11 +17,11 @@ struct Penetration {
     double deepest = 0;     ///< depth of the deepest one [dx]
 };
 
-/// All walls of this rank, fixed ones and the moving interface, as the particles see them: which particles are near
+/// All walls of this rank, still ones, driven ones and the moving interface, as the particles see them: which particles are near
 /// walls, and the
 /// planes in which each of them mirrors its neighbours (docs/theory/walls.md).
 ///
-/// A step: set_moving (new motion) -> prepare (with every new neighbour list, or when `stale()`) -> for each stage
+/// A step: start_step, set_moving (new motion) -> prepare (with every new neighbour list, or when `stale()`) -> for each stage
 /// move(s), find_contacts(particles).
 template<int D> class Walls {
 public:
@@ -33,11 +33,16 @@ public:
     /// A rigid body that does not move: facets with up to four corners (-1: unused) as indices of vertices, whose
     /// coordinates
     /// stand one after the other [m]. 2D: the solid is on the left of a -> b; 3D: counterclockwise seen from the fluid.
-    /// All fixed bodies come before the first set_moving.
-    void add_fixed(const std::string& body, const std::vector<double>& coordinates,
+    /// All of them come before the first add_driven.
+    void add_fixed(const WallBody& body, const std::vector<double>& coordinates,
                    const std::vector<std::array<int, 4>>& facets);
+    /// A rigid body that moves as prescribed, facets as above. Before the first set_moving.
+    void add_driven(const WallBody& body, const std::vector<double>& coordinates,
+                    const std::vector<std::array<int, 4>>& facets, RigidMotion<D> motion);
+    /// The step that comes starts at `time` [s]: where driven bodies are follows from it.
+    void start_step(double time) { facets_.start_step(time); }
     /// New motion of the interface from the start of the coming step; the facets may be others than before.
-    void set_moving(const std::string& body, const VertexMotion<D>& motion, const std::vector<WallFacet<D>>& facets);
+    void set_moving(const WallBody& body, const VertexMotion<D>& motion, const std::vector<WallFacet<D>>& facets);
     /// Takes the moving walls to `s` seconds after the start of the step.
     void move(double s) { facets_.move(s); }
 
@@ -47,7 +52,7 @@ public:
     void prepare(const Particles<D>& particles, double skin);
     /// Other facets than at the last prepare: prepare must be called again.
     bool stale() const { return stale_; }
-    /// Largest distance that a corner of a moving facet has gone since the last prepare [m].
+    /// Largest distance that a corner of any facet has gone since the last prepare [m].
     double largest_displacement() const;
 
     /// Finds the planes of all owned particles near walls, for the present positions of both.

@@ -103,6 +103,18 @@ TEST(FluidConfig, RefusesDryRunsAndDoubledNames)
     expect_refusal(tank + "[[walls]]\nname = \"w\"\npoints = [[0, 0]]\n", {"\"w\"", "two points"});
 }
 
+TEST(FluidConfig, ReadsAMotionAndNamesAMistypedKeyInIt)
+{
+    const std::string piston = tank + "[[walls]]\nname = \"piston\"\npoints = [[0, 0], [0, 0.2]]\n";
+    const FluidConfig config = read(piston + "motion = {translation = [\"0.01*t\", 0]}\n");
+    EXPECT_FALSE(config.walls.at(0).motion.moves());
+    EXPECT_EQ(config.walls.at(1).motion.translation.at(0).text, "0.01*t");
+    expect_refusal(piston + "motion = {translaton = [\"0.01*t\", 0]}\n",
+                   {"fluid.toml:20", "translaton", "'translation'"});
+    expect_refusal(piston + "motion = \"t\"\n", {"fluid.toml:20", "wants a table"});
+    expect_refusal(piston + "motion = {translation = [0]}\n", {"\"piston\"", "2 are needed"});
+}
+
 TEST(FluidConfig, DescribesEveryKey)
 {
     auto reader = base::ConfigReader::describe();

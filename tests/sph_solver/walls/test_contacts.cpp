@@ -109,7 +109,7 @@ TEST(Contacts, MovingFacetsCarryVelocityAndAcceleration)
     motion.acceleration = {Vec<2>(0, 2), Vec<2>(0, 2)};
     WallFacet<2> facet;
     facet.vertex = {0, 1};
-    walls.set_moving("plate", motion, {facet});
+    walls.set_moving({"plate"}, motion, {facet});
     walls.move(0.1);
     const auto planes = planes_at<2>(walls, {0, 1});
     ASSERT_EQ(planes.size(), 1u);

@@ -30,7 +30,7 @@ Walls<2> moving_bar(double length)
         motion.acceleration.push_back({0, 3});
     }
     Walls<2> walls(unit_settings<2>());
-    walls.set_moving("bar", motion, facets);
+    walls.set_moving({"bar"}, motion, facets);
     return walls;
 }
 
@@ -83,7 +83,9 @@ TEST(Footprint, ChangesGraduallyAroundAnEdge)
     auto walls = moving_bar(0.5);
     std::vector<double> before;
     for (double path = -3; path <= 3; path += 0.02) { // along the lower face, round the corner at 0, up the left face
-        const Vec<2> x = path < -0.5 ? Vec<2>(-path - 0.5, -0.4) : path > 0.5 ? Vec<2>(-0.4, path - 0.5) : polar(0.4, 225 - 90 * path);
+        const Vec<2> x = path < -0.5  ? Vec<2>(-path - 0.5, -0.4)
+                         : path > 0.5 ? Vec<2>(-0.4, path - 0.5)
+                                      : polar(0.4, 225 - 90 * path);
         const auto now = touch(walls, x).share;
         for (std::size_t v = 0; v < before.size(); ++v) EXPECT_NEAR(now[v], before[v], 0.05) << "path " << path;
         before = now;

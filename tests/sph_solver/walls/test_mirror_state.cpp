@@ -76,7 +76,7 @@ TYPED_TEST(MirrorState, WallFeelsNoFlowThroughIt)
     EXPECT_NEAR((mean - cast.first.velocity).dot(cast.first.normal), 0, 1e-14); // the wall's speed along n
     const Vec<D> change = state.velocity - cast.state.velocity;
     EXPECT_NEAR((change - change.dot(cast.first.normal) * cast.first.normal).norm(), 0, 1e-14); // slip
-    cast.settings.no_slip = true;
+    cast.first.no_slip = true;
     state = cast.state;
     mirror_state(state, cast.image_at(Vec<D>::Constant(0.4)), sound_speed, cast.settings);
     EXPECT_NEAR((0.5 * (state.velocity + cast.state.velocity) - cast.first.velocity).norm(), 0, 1e-14);
@@ -98,7 +98,7 @@ TYPED_TEST(MirrorState, GradientsAreThoseOfTheMirroredField)
     constexpr int D = TypeParam::value;
     Cast<D> cast;
     for (const bool no_slip : {false, true}) {
-        cast.settings.no_slip = no_slip;
+        cast.first.no_slip = no_slip;
         const Vec<D> x = Vec<D>::Constant(0.6);
         PrimitiveState<D> state = cast.state;
         mirror_state(state, cast.image_at(x), sound_speed, cast.settings);

@@ -26,8 +26,8 @@ Walls<2> closed_tank(double dip)
     settings.support = 2 * 1.23 * spacing;
     settings.gravity = Vec<2>(0, -gravity);
     Walls<2> walls(settings);
-    walls.add_fixed("tank", {1.2, 0, 0, 0, 0, 0.2}, {{0, 1, -1, -1}, {1, 2, -1, -1}});
-    walls.add_fixed("front", {width, 0.2, width, 0.079}, {{0, 1, -1, -1}});
+    walls.add_fixed({"tank"}, {1.2, 0, 0, 0, 0, 0.2}, {{0, 1, -1, -1}, {1, 2, -1, -1}});
+    walls.add_fixed({"front"}, {width, 0.2, width, 0.079}, {{0, 1, -1, -1}});
     VertexMotion<2> motion;
     std::vector<WallFacet<2>> facets;
     const auto add = [&](double x, double y) {
@@ -44,7 +44,7 @@ Walls<2> closed_tank(double dip)
         facet.corner = {0, 1};
         facets.push_back(facet);
     }
-    walls.set_moving("gate", motion, facets);
+    walls.set_moving({"gate"}, motion, facets);
     return walls;
 }
 

@@ -35,7 +35,7 @@ inline void add_line(Walls<2>& walls, const std::vector<Vec<2>>& points)
     std::vector<std::array<int, 4>> facets;
     for (const auto& point : points) coordinates.insert(coordinates.end(), {point.x(), point.y()});
     for (int p = 0; p + 1 < static_cast<int>(points.size()); ++p) facets.push_back({p, p + 1, -1, -1});
-    walls.add_fixed("line", coordinates, facets);
+    walls.add_fixed({"line"}, coordinates, facets);
 }
 
 inline Walls<2> lines(const std::vector<std::vector<Vec<2>>>& chains)
@@ -52,7 +52,7 @@ inline Walls<3> cube_walls(double side)
     std::vector<double> coordinates;
     for (int v = 0; v < 8; ++v)
         for (int d = 0; d < 3; ++d) coordinates.push_back((v >> d & 1) != 0 ? side : 0.0);
-    walls.add_fixed("cube", coordinates,
+    walls.add_fixed({"cube"}, coordinates,
                     {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}});
     return walls;
 }

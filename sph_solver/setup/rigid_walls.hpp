@@ -8,8 +8,9 @@
 
 namespace sph {
 
-/// The walls of the configuration, at rest; each wall of the file is one body.
-template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model);
+/// The walls of the configuration, where they are at the start; each wall of the file is one body, first those that stand
+/// still. \param end of the run [s], as far as motions must be known.
+template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model, double end);
 
 /// Throws Error(bad_input) when water starts inside a wall: deeper than `tolerance` particle spacings.
 /// Collective; \pre walls.find_contacts(particles) on every rank.
