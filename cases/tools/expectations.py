@@ -5,7 +5,8 @@ One [[expect]] table a figure:
 
     quantity  = "tip_ux_peak[m]"     its name, with the unit
     file      = "solid/probes.csv"   CSV of the run, or summary.json
-    column    = "tip.ux[m]"          a column, a list of columns to add up, or a dotted path in summary.json
+    column    = "tip.ux[m]"          a column, a list of columns to add up ("-name" is subtracted), or a dotted path in
+                                     summary.json
     operation = "max"                see OPERATIONS below
     at = 0.36                        time of value_at [s]
     from = 0.0, until = 0.2          only these times count [s]
@@ -95,6 +96,7 @@ OPERATIONS = {
     "value_at": lambda t, y, entry: np.interp(entry["at"], t, y),
     "mean": lambda t, y, entry: np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(t)) / (t[-1] - t[0]),
     "relative_spread": lambda t, y, entry: (y.max() - y.min()) / abs(y[0]),
+    "rise": lambda t, y, entry: (y - y[0]).max(),
     "change": lambda t, y, entry: np.abs(y - y[0]).max(),
     "angular_frequency": lambda t, y, entry: angular_frequency(t, y),
     "rms_to_reference": lambda t, y, entry: rms_to_reference(t, y, entry),
@@ -124,7 +126,7 @@ def measure(run: RunFolder, entry: dict) -> float:
     if table is None:
         raise ValueError(f"{entry['file']} is missing or empty")
     columns = entry["column"] if isinstance(entry["column"], list) else [entry["column"]]
-    t, y = table["t"], sum(table[name] for name in columns)
+    t, y = table["t"], sum(-table[name[1:]] if name.startswith("-") else table[name] for name in columns)
     if "at" in entry and not t[0] <= entry["at"] <= t[-1] * (1 + 1e-9) + 1e-9:
         raise ValueError(f"the run ends at t = {t[-1]:.4g} s")
     if entry["operation"] != "rms_to_reference":
