@@ -11,10 +11,13 @@
 
 namespace sph {
 
-/// May i and j interact? False where something stands between them, such as a plate thinner than the kernel.
-/// Must depend on the two positions alone and be symmetric, else ranks would disagree.
+/// Which pairs something keeps apart, such as a plate thinner than the kernel. Both answers must depend on the positions
+/// alone, else ranks would disagree.
 template <int D>
-using PairFilter = std::function<bool(const Vec<D>& x_i, const Vec<D>& x_j)>;
+struct PairFilter {
+    std::function<bool(const Vec<D>& x_i)> concerns;  ///< may any pair of this particle be kept apart?
+    std::function<bool(const Vec<D>& x_i, const Vec<D>& x_j)> lets_pass;  ///< may they interact? symmetric
+};
 
 /// Who may see whom, as compressed rows over the owned particles.
 ///

@@ -10,26 +10,28 @@ template<int D>
 NeighbourSearch<D>::NeighbourSearch(double support, double skin) : support_(support), skin_(skin), grid_(support + skin)
 {}
 
-template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
+/// Row after row, cell by cell: the runs of candidates are the same for all particles of a cell.
+template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles)
 {
+    const std::vector<int>& owned = particles.owned;
     find_cells(particles.position);
-    list_.offsets.assign(1, 0);
-    list_.offsets.reserve(particles.owned.size() + 1);
-    list_.indices.clear();
-    built_at_.resize(particles.owned.size());
+    points_.load(particles.position);
+    list_.offsets.assign(owned.size() + 1, 0);
+    built_at_.resize(owned.size());
     sweep_.fill(0);
-    CellKey current = ~CellKey{0};
-    Runs runs{};
-    for (std::size_t k = 0; k < particles.owned.size(); ++k) {
-        const int i = particles.owned[k];
-        const Vec<D>& x_i = particles.position[static_cast<std::size_t>(i)];
-        const CellKey key = grid_.key_of(x_i);
-        if (key != current) runs = runs_around(current = key);
-        append_row(particles.position, i, runs);
-        list_.offsets.push_back(list_.indices.size());
-        built_at_[k] = x_i;
+    std::size_t count = 0;
+    std::size_t k = 0;
+    for (std::size_t cell = 0; cell < cell_keys_.size(); ++cell) {
+        const int end = cell_begins_[cell + 1];
+        if (k == owned.size() || owned[k] >= end) continue;
+        const Runs runs = runs_around(cell_keys_[cell]);
+        for (; k < owned.size() && owned[k] < end; ++k) {
+            append_row(owned[k], runs, count);
+            list_.offsets[k + 1] = count;
+            built_at_[k] = particles.position[static_cast<std::size_t>(owned[k])];
+        }
     }
-    if (filter) apply_filter(particles, filter);
+    list_.indices.resize(count);
 }
 
 /// Ranges of equal cell in the sorted particles.
@@ -68,35 +70,31 @@ template<int D> auto NeighbourSearch<D>::runs_around(CellKey key) -> Runs
     return runs;
 }
 
-template<int D> void NeighbourSearch<D>::append_row(const std::vector<Vec<D>>& position, int i, const Runs& runs)
+/// `indices` only grows here and is cut to size at the end: what the last list has left in it is written over.
+template<int D> void NeighbourSearch<D>::append_row(int i, const Runs& runs, std::size_t& count)
 {
-    std::size_t candidates = 0;
-    for (const auto& [begin, end] : runs) candidates += static_cast<std::size_t>(end - begin);
-    std::size_t count = list_.indices.size();
-    list_.indices.resize(count + candidates);
-    int* out = list_.indices.data();
-    const Vec<D> x_i = position[static_cast<std::size_t>(i)];
-    const double reach_squared = reach() * reach();
-    for (const auto& [begin, end] : runs) {
-        for (int j = begin; j < end; ++j) {
-            out[count] = j;
-            const double r_squared = (position[static_cast<std::size_t>(j)] - x_i).squaredNorm();
-            count += static_cast<std::size_t>(r_squared < reach_squared) & static_cast<std::size_t>(j != i);
-        }
-    }
-    list_.indices.resize(count);
+    std::size_t room = count + selection_overhang;
+    for (const auto& [begin, end] : runs) room += static_cast<std::size_t>(end - begin);
+    if (list_.indices.size() < room) list_.indices.resize(room + room / 4);
+    int* const first = list_.indices.data();
+    int* out = first + count;
+    for (const auto& [begin, end] : runs) out = points_.select(i, reach() * reach(), begin, end, out);
+    count = static_cast<std::size_t>(out - first);
 }
 
-template<int D> void NeighbourSearch<D>::apply_filter(const Particles<D>& particles, const PairFilter<D>& filter)
+template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
 {
+    build(particles);
     std::size_t kept = 0;
     std::size_t read = 0;
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
         const Vec<D>& x_i = particles.position[static_cast<std::size_t>(particles.owned[k])];
         const std::size_t end = list_.offsets[k + 1];
+        const bool all_pass = !filter.concerns(x_i);
         for (; read < end; ++read) {
             const int j = list_.indices[read];
-            if (filter(x_i, particles.position[static_cast<std::size_t>(j)])) list_.indices[kept++] = j;
+            if (all_pass || filter.lets_pass(x_i, particles.position[static_cast<std::size_t>(j)]))
+                list_.indices[kept++] = j;
         }
         list_.offsets[k + 1] = kept;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sph_solver/neighbours/close_points.hpp"
 #include "sph_solver/neighbours/neighbour_list.hpp"
 #include "sph_solver/state/cell_grid.hpp"
 
@@ -26,8 +27,9 @@ public:
     [[nodiscard]] const CellGrid<D>& grid() const { return grid_; }
 
     /// Makes the list anew. \pre particles in canonical order of `grid()`, halo copies complete within `reach()`.
-    /// Pairs that `filter` rejects are left out; an empty filter lets all pass.
-    void build(const Particles<D>& particles, const PairFilter<D>& filter = {});
+    void build(const Particles<D>& particles);
+    /// The same, and leaves out the pairs that `filter` does not let pass.
+    void build(const Particles<D>& particles, const PairFilter<D>& filter);
 
     [[nodiscard]] const NeighbourList& list() const { return list_; }
     [[nodiscard]] bool empty() const { return built_at_.empty(); }
@@ -42,13 +44,14 @@ private:
 
     void find_cells(const std::vector<Vec<D>>& position);
     [[nodiscard]] Runs runs_around(CellKey key);
-    void append_row(const std::vector<Vec<D>>& position, int i, const Runs& runs);
+    void append_row(int i, const Runs& runs, std::size_t& count);
     void apply_filter(const Particles<D>& particles, const PairFilter<D>& filter);
 
     double support_;
     double skin_;
     CellGrid<D> grid_;
     NeighbourList list_;
+    PointColumns<D> points_;               ///< positions of all local particles
     std::vector<Vec<D>> built_at_;        ///< positions of the owned particles at the build
     std::vector<CellKey> cell_keys_;      ///< occupied cells, ascending
     std::vector<int> cell_begins_;        ///< first local index of each, and the end

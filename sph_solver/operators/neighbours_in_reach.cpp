@@ -4,32 +4,22 @@
 namespace sph {
 
 template<int D>
-void select_in_reach(NeighbourList& reached, const PairRecords<D>& records, const NeighbourList& neighbours,
-                     const std::vector<int>& owned, double support)
+const NeighbourList& NeighboursInReach<D>::select(const Particles<D>& particles, const NeighbourList& neighbours)
 {
-    reached.offsets.resize(neighbours.offsets.size());
-    reached.indices.resize(neighbours.indices.size());
-    const double limit = support * support;
-    int* out = reached.indices.data();
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < owned.size(); ++k) {
-        const double* x_i = records.state(owned[k]);
-        reached.offsets[k] = count;
-        for (const int j : neighbours.of(k)) {
-            const double* x_j = records.state(j);
-            double square = 0;
-            for (int a = 0; a < D; ++a) square += (x_j[a] - x_i[a]) * (x_j[a] - x_i[a]);
-            out[count] = j; // written always, kept where the count moves on: no branch to mispredict
-            count += square < limit ? 1 : 0;
-        }
+    points_.load(particles.position);
+    reached_.offsets.resize(neighbours.offsets.size());
+    const std::size_t room = neighbours.indices.size() + selection_overhang;
+    if (reached_.indices.size() < room) reached_.indices.resize(room);
+    int* const first = reached_.indices.data();
+    int* out = first;
+    for (std::size_t k = 0; k < neighbours.rows(); ++k) {
+        out = points_.select(particles.owned[k], limit_, neighbours.of(k), out);
+        reached_.offsets[k + 1] = static_cast<std::size_t>(out - first);
     }
-    reached.offsets[owned.size()] = count;
-    reached.indices.resize(count);
+    return reached_;
 }
 
-template void select_in_reach<2>(NeighbourList&, const PairRecords<2>&, const NeighbourList&, const std::vector<int>&,
-                                 double);
-template void select_in_reach<3>(NeighbourList&, const PairRecords<3>&, const NeighbourList&, const std::vector<int>&,
-                                 double);
+template class NeighboursInReach<2>;
+template class NeighboursInReach<3>;
 
 } // namespace sph

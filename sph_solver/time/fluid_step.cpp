@@ -4,7 +4,6 @@
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/operators/fluid_flux.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
-#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/wall_gradients.hpp"
 
 #include <algorithm>
@@ -34,16 +33,15 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
 template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
 {
     auto& [rates, sums, fluxes, wall_forces] = evaluation_;
-    NeighbourList& neighbours = in_reach_;
     rates.reset(particles.size());
     {
         const auto scope = parts_.timers.scope("walls: find planes");
         parts_.walls.find_contacts(particles);
     }
+    const NeighbourList& neighbours = neighbours_in_reach(particles);
     {
         const auto scope = parts_.timers.scope("pass 1: gradients");
         records_.load_states(particles, model_.eos);
-        select_in_reach(neighbours, records_, parts_.search.list(), particles.owned, model_.kernel.support());
         accumulate_fluid_gradients(sums, records_, neighbours, particles.owned, model_);
     }
     {
@@ -66,6 +64,12 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     }
     add_gravity(rates, particles, model_.gravity);
     return evaluation_;
+}
+
+template<int D> const NeighbourList& FluidStep<D>::neighbours_in_reach(const Particles<D>& particles)
+{
+    const auto scope = parts_.timers.scope("neighbours in reach");
+    return in_reach_.select(particles, parts_.search.list());
 }
 
 template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
@@ -129,8 +133,10 @@ template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)
 {
     const auto scope = parts_.timers.scope("neighbours");
     prepare_walls(particles);
-    parts_.search.build(particles,
-                        [this](const Vec<D>& x_i, const Vec<D>& x_j) { return parts_.walls.may_interact(x_i, x_j); });
+    const Walls<D>& walls = parts_.walls;
+    parts_.search.build(
+        particles, {.concerns = [&](const Vec<D>& x) { return walls.may_separate(x); },
+                    .lets_pass = [&](const Vec<D>& x_i, const Vec<D>& x_j) { return walls.may_interact(x_i, x_j); }});
     parts_.domain.record_work(particles, parts_.search.list().offsets);
     redistributed_ = false;
     ++rebuilds_;

@@ -4,6 +4,7 @@
 #include "coupler_lib/base/timer.hpp"
 #include "sph_solver/neighbours/neighbour_search.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/parallel/domain.hpp"
 #include "sph_solver/state/outflow.hpp"
@@ -30,7 +31,7 @@ template<int D> struct FluidParts {
 template<int D> class FluidStep {
 public:
     FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
-        : model_(model), runge_kutta_(runge_kutta), parts_(parts)
+        : model_(model), runge_kutta_(runge_kutta), parts_(parts), in_reach_(model.kernel.support())
     {}
 
     /// Adds one who keeps account of every step; not owned.
@@ -54,6 +55,7 @@ public:
     long rebuilds() const { return rebuilds_; }
 
 private:
+    const NeighbourList& neighbours_in_reach(const Particles<D>& particles);
     void refresh_neighbourhood(const Particles<D>& particles, double dt);
     bool lists_hold(const Particles<D>& particles, double dt) const;
     bool walls_hold(double dt) const;
@@ -66,7 +68,7 @@ private:
     FluidParts<D> parts_;
     std::vector<StageObserver<D>*> observers_;
     PairRecords<D> records_;
-    NeighbourList in_reach_;
+    NeighboursInReach<D> in_reach_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
     bool settled_ = false;       ///< settle was called for the coming step

@@ -64,6 +64,8 @@ public:
     /// stuck.
     /// Depends on the positions alone and is symmetric. \pre prepare since the last set_moving.
     bool may_interact(const Vec<D>& x_i, const Vec<D>& x_j) const;
+    /// May a wall stand between x and anything within reach of it? \pre as for may_interact
+    bool may_separate(const Vec<D>& x) const { return !grid_.near(x).empty(); }
 
     /// Counts the owned particles inside walls; this rank's part. \pre find_contacts
     Penetration penetration() const;

@@ -3,6 +3,7 @@
 #include "sph_solver/state/canonical_order.hpp"
 #include "tests/sph_solver/support/random_particles.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace sph {
@@ -44,7 +45,8 @@ TEST(NeighbourSearch, FilterTakesPairsOutOnBothSides)
     NeighbourSearch<2> search(0.1, 0.0);
     sort_canonically(particles, search.grid());
     const auto same_side = [](const Vec<2>& a, const Vec<2>& b) { return (a[1] > 0.2) == (b[1] > 0.2); };
-    search.build(particles, same_side);
+    const double reach = search.reach();
+    search.build(particles, {[&](const Vec<2>& x) { return std::abs(x[1] - 0.2) < reach; }, same_side});
     std::size_t pairs = 0;
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
         for (const int j : search.list().of(k)) {

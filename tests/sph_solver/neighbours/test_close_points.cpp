@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "sph_solver/neighbours/close_points.hpp"
+#include "tests/sph_solver/support/random_particles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sph {
+namespace {
+
+/// Both selections against a plain loop, for ranges and lists of every length from 0 to 40: whole packs and what is left.
+template<int D> void expect_plain_loop()
+{
+    const Particles<D> particles = testing::random_particles<D>(40);
+    const std::vector<Vec<D>>& x = particles.position;
+    const double limit = 0.3;
+    PointColumns<D> columns;
+    PointRows<D> rows;
+    columns.load(x);
+    rows.load(x);
+    std::vector<int> found(x.size() + selection_overhang);
+    for (int i = 0; i < 40; ++i) {
+        for (int begin = 0; begin <= 40; begin += 3) {
+            for (int end = begin; end <= 40; ++end) {
+                std::vector<int> wanted, listed;
+                for (int j = begin; j < end; ++j) {
+                    if (j == i) continue;
+                    listed.push_back(j);
+                    const Vec<D> x_ij = x[static_cast<std::size_t>(j)] - x[static_cast<std::size_t>(i)];
+                    if (x_ij.squaredNorm() < limit) wanted.push_back(j);
+                }
+                ASSERT_EQ(std::vector<int>(found.data(), columns.select(i, limit, begin, end, found.data())), wanted);
+                ASSERT_EQ(std::vector<int>(found.data(), rows.select(i, limit, listed, found.data())), wanted);
+            }
+        }
+    }
+}
+
+TEST(ClosePoints, AreThoseOfAPlainLoop)
+{
+    expect_plain_loop<2>();
+    expect_plain_loop<3>();
+}
+
+} // namespace
+} // namespace sph
