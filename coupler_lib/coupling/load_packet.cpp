@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/coupling/load_packet.hpp"
 
+#include "coupler_lib/coupling/checksum.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
 #include <algorithm>
@@ -139,6 +140,13 @@ void LoadSum::write_pressure(std::vector<double>& pressure, double coverage_limi
         if (weight > 0 && weight >= coverage_limit * full_weight_[facet])
             pressure[facet] = weighted_pressure_[facet].value() / weight;
     }
+}
+
+std::uint64_t LoadSum::fingerprint() const
+{
+    const auto of = [](const auto& items) { return checksum(items.data(), items.size() * sizeof(items[0])); };
+    const std::uint64_t parts[] = {of(force_), of(weight_), of(weighted_pressure_), of(full_weight_)};
+    return checksum(parts, sizeof(parts));
 }
 
 } // namespace coupler

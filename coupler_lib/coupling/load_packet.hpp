@@ -27,6 +27,8 @@ public:
     void write_force(std::vector<double>& force) const;
     /// Facet pressures [Pa], weighted_pressure / weight; zero where weight / full_weight < `coverage_limit`.
     void write_pressure(std::vector<double>& pressure, double coverage_limit) const;
+    /// Checksum over every bit of the sums.
+    std::uint64_t fingerprint() const;
     bool has_force() const { return has_force_; }
     bool has_pressure() const { return has_pressure_; }
 

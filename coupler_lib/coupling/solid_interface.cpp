@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/coupling/solid_interface.hpp"
 
+#include "coupler_lib/coupling/checksum.hpp"
 #include "coupler_lib/coupling/facet_routing.hpp"
 #include "coupler_lib/coupling/load_packet.hpp"
 #include "coupler_lib/coupling/packet_exchange.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 
 namespace coupler {
@@ -86,6 +88,7 @@ struct SolidInterface::Parts {
     MotionGuard guard;
     std::vector<double> wall_velocity;
     Window window;
+    std::uint64_t loads_fingerprint = 0;
     bool begun = false;
     bool fluid_asks_to_stop = false;
 };
@@ -138,6 +141,8 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
         packet.finish();
         if (peer == 0) fluid = report;
     }
+    const std::uint64_t so_far[] = {my.loads_fingerprint, my.sum.fingerprint()};
+    my.loads_fingerprint = checksum(so_far, sizeof(so_far));
     my.begun = true;
     my.window = {first.step, first.time, first.dt, first.has(window_is_last), first.has(window_stops)};
     if (my.window.stop_requested) my.participant.request_stop(); // now every rank knows
@@ -174,6 +179,13 @@ void SolidInterface::send(const SurfaceMotion& motion, const SolidReport& report
 }
 
 const WetSurface& SolidInterface::surface() const { return parts_->surface; }
+std::string SolidInterface::loads_hash() const
+{
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(parts_->loads_fingerprint));
+    return digits;
+}
+
 double SolidInterface::wait_seconds() const { return parts_->exchange.wait_seconds(); }
 std::int64_t SolidInterface::bytes_sent() const { return parts_->exchange.bytes_sent(); }
 std::int64_t SolidInterface::bytes_received() const { return parts_->exchange.bytes_received(); }

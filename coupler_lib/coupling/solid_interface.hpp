@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace coupler {
 
@@ -47,6 +48,9 @@ public:
     void send(const SurfaceMotion& motion, const SolidReport& report);
 
     [[nodiscard]] const WetSurface& surface() const;   ///< as registered
+    /// Fingerprint of all loads received so far, this rank, 16 hexadecimal digits: every bit of every sum, in order.
+    /// The same whatever the number of fluid ranks that sent them.
+    [[nodiscard]] std::string loads_hash() const;
     [[nodiscard]] double wait_seconds() const;         ///< waited in `receive` so far, this rank [s]
     [[nodiscard]] std::int64_t bytes_sent() const;     ///< payload sent so far, this rank [byte]
     [[nodiscard]] std::int64_t bytes_received() const; ///< payload received so far, this rank [byte]

@@ -20,6 +20,7 @@ public:
     void send(double time, const Motion& motion, coupler::SolidReport report);
 
     const coupler::SurfaceLoad& load() const { return load_; }
+    std::string loads_hash() const { return interface_.loads_hash(); }
     double wait_seconds() const { return interface_.wait_seconds(); }
     std::int64_t bytes_received() const { return interface_.bytes_received(); }
 

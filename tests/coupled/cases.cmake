@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Whole cases through mpirun of both executables, judged by their expect.toml; the same answer on 1, 2 and 3 fluid ranks.
+# Whole cases through mpirun of both executables, judged by their expect.toml; the same bits on 1, 2, 3, 4 and 7 fluid ranks.
 set(RIVAGE_PROGRAMS "${CMAKE_BINARY_DIR}/bin")
 
 function(rivage_coupled_test name)
@@ -10,8 +10,10 @@ endfunction()
 foreach(case gate_static piston_column elastic_gate_small)
     rivage_coupled_test(${case} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/${case} --programs ${RIVAGE_PROGRAMS})
 endforeach()
-rivage_coupled_test(rank_agreement ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
-                    --programs ${RIVAGE_PROGRAMS} --ranks 1+1 2+1 3+1 --end 0.02 --tolerance 1e-9)
+foreach(load conservative averaged)
+    rivage_coupled_test(rank_identity_${load} ${CMAKE_CURRENT_LIST_DIR}/rank_identity.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
+                        --programs ${RIVAGE_PROGRAMS} --ranks 1 2 3 4 7 --end 0.015 --load ${load})
+endforeach()
 rivage_coupled_test(rank_agreement_tip ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
                     --programs ${RIVAGE_PROGRAMS} --ranks 1+1 2+1 3+1 --end 0.1 --tip 1e-4)
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Runs sph_solver alone on 1, 2 and 3 ranks: the final states, the energy table and the probes must be the same to the last bit.
+"""Runs sph_solver alone on several numbers of ranks: the final states, the energy table and the probes must be the same to the last bit.
 
-usage: test_ranks.py SPH_SOLVER FLUID.toml
+usage: test_ranks.py SPH_SOLVER FLUID.toml RANKS ...
 """
 import json
 import subprocess
@@ -9,9 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-
 def run(solver: str, case: Path, ranks: int, folder: Path) -> dict:
-    command = ["mpirun", "--oversubscribe", "-n", str(ranks), solver, str(case), "--out", str(folder)]
+    command = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks), solver, str(case), "--out", str(folder)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, timeout=300)
     if done.returncode != 0:
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stdout}")
@@ -35,13 +34,13 @@ def check_figures(figures: dict, case: Path) -> list[str]:
 
 
 def main() -> int:
-    solver, case = sys.argv[1], Path(sys.argv[2])
+    solver, case, rank_counts = sys.argv[1], Path(sys.argv[2]), [int(count) for count in sys.argv[3:]]
     wrong = []
     with tempfile.TemporaryDirectory() as scratch:
-        folders = {ranks: Path(scratch) / str(ranks) for ranks in (1, 2, 3)}
+        folders = {ranks: Path(scratch) / str(ranks) for ranks in rank_counts}
         figures = {ranks: run(solver, case, ranks, folder) for ranks, folder in folders.items()}
         wrong += check_figures(figures[1], case)
-        for ranks in (2, 3):
+        for ranks in rank_counts[1:]:
             if figures[ranks]["state_hash"] != figures[1]["state_hash"]:
                 wrong.append(f"state_hash on {ranks} ranks is {figures[ranks]['state_hash']}, alone {figures[1]['state_hash']}")
             wrong += [f"{name} differs on {ranks} ranks" for name in compare(folders[1], folders[ranks])]
