@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+
 def run(solver: str, case: Path, ranks: int, folder: Path) -> dict:
     command = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks), solver, str(case), "--out", str(folder)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, timeout=300)
