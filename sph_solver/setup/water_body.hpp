@@ -46,7 +46,7 @@ protected:
 /// A body of the given shape filled with particles `spacing` apart.
 ///   box        Cartesian lattice, particles centred in cells, the first row half a spacing from the faces; the spacing
 ///              is adjusted to fit whole cells in each direction
-///   disc       rings about the centre, one spacing thick, for flows that a lattice would buckle (2D)
+///   disc       rings about the centre, one spacing apart, for flows that a lattice would buckle (2D)
 ///   polygon    the lattice of its bounding box; a cell that an edge cuts gives the part that is inside (2D)
 ///   stl        the same, inside a closed surface of triangles (3D)
 ///   particles  as listed in an HDF5 file

@@ -107,7 +107,8 @@ TEST(InitialParticles, DiscOnRingsHasItsAreaAndCentre)
     }
     EXPECT_NEAR(area, std::numbers::pi * 0.25, 1e-12);
     EXPECT_NEAR((centre / area - Vec<2>(1.0, 2.0)).norm(), 0.0, 1e-12);
-    EXPECT_NEAR(reach, 0.49, 1e-12);
+    EXPECT_NEAR(reach, 0.5 * 25.0 / 25.5, 1e-12); // 25 rings, half a spacing beyond the last
+    EXPECT_EQ(particles.size(), 1U + 3U * 25U * 26U);
 }
 
 TEST(InitialParticles, UniformPressureGivesItsDensity)
