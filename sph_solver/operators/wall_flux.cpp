@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/operators/wall_flux.hpp"
 
-#include "sph_solver/walls/images.hpp"
+#include "sph_solver/numerics/muscl.hpp"
+#include "sph_solver/operators/image_packs.hpp"
 
 #include <cmath>
 #include <Eigen/LU>
@@ -9,78 +10,131 @@
 namespace sph {
 namespace {
 
-template<int D> PrimitiveState<D> primitive_state(const Particles<D>& particles, std::size_t i)
-{
-    return {particles.density[i], particles.velocity[i], particles.density_gradient[i], particles.velocity_gradient[i]};
-}
-
-/// Gives a force to the walls of an image: its components along their normals where these are far from parallel, else
-/// all to the last.
+/// Gives a force to the walls of a group of images: its components along their normals where these are far from
+/// parallel, else all to the last.
 template<int D>
-void share_out(const Vec<D>& force, const Image<D>& image, const MirrorPlane<D>* first, std::vector<Vec<D>>& on_wall,
-               std::size_t begin)
+void share_out(const Vec<D>& force, const ImageGroup& group, const std::vector<MirrorPlane<D>>& planes,
+               std::vector<Vec<D>>& on_wall)
 {
-    const auto of = [&](int k) -> Vec<D>& {
-        return on_wall[begin + static_cast<std::size_t>(image.path[static_cast<std::size_t>(k)] - first)];
-    };
-    const auto normal = [&](int k) -> const Vec<D>& { return image.path[static_cast<std::size_t>(k)]->normal; };
-    const int last = image.order - 1;
+    const auto plane = [&](int k) { return static_cast<std::size_t>(group.path[static_cast<std::size_t>(k)]); };
+    const auto normal = [&](int k) -> const Vec<D>& { return planes[plane(k)].normal; };
+    const int last = group.order - 1;
     Vec<D> rest = force;
-    if (image.order == 2 && std::abs(normal(0).dot(normal(1))) < 0.7) {
+    if (group.order == 2 && std::abs(normal(0).dot(normal(1))) < 0.7) {
         const double cosine = normal(0).dot(normal(1));
         const double a = force.dot(normal(0)), b = force.dot(normal(1));
         const Vec<D> part = ((a - cosine * b) / (1 - cosine * cosine)) * normal(0);
-        of(0) += part;
+        on_wall[plane(0)] += part;
         rest -= part;
-    } else if (D == 3 && image.order == 3 && image.path[0] != image.path[2]) {
+    } else if (D == 3 && group.order == 3 && group.path[0] != group.path[2]) {
         Mat<D> normals;
         for (int k = 0; k < D; ++k) normals.col(k) = normal(k);
         if (std::abs(normals.determinant()) > 0.3) {
             const Vec<D> share = normals.inverse() * force;
             for (int k = 0; k < last; ++k) {
-                of(k) += share[k] * normal(k);
+                on_wall[plane(k)] += share[k] * normal(k);
                 rest -= share[k] * normal(k);
             }
         }
     }
-    of(last) += rest;
+    on_wall[plane(last)] += rest;
 }
 
+/// The faces towards a group's images, several packs after one another in each of three short loops (as in
+/// operators/fluid_flux.cpp).
+template<int D> class ImageFaces {
+public:
+    ImageFaces(const WallImages<D>& images, const PairRecords<D>& records, const FluidModel<D>& model)
+        : images_(images), records_(records), model_(model)
+    {}
+
+    /// Sum of S p_e n over the group: the force of particle i on its walls.
+    template<class AnyLimiter>
+    Vec<D> force(const ImageGroup& group, int i, const MirrorPath<D>& path, AnyLimiter limiter)
+    {
+        PackVector<D> sum{};
+        for (std::size_t begin = group.begin; begin < group.end; begin += batch * pack_size) {
+            const std::size_t count = std::min(batch, (group.end - begin) / pack_size);
+            for (std::size_t n = 0; n < count; ++n)
+                reconstruct(n, begin + n * pack_size, i, path, group.own_first && begin + n == group.begin, limiter);
+            for (std::size_t n = 0; n < count; ++n) stars_[n] = solve_riemann_scaled(faces_[n]).q;
+            for (std::size_t n = 0; n < count; ++n) {
+                const Pack pressure = area_[n] * model_.eos.pressure_at_ratio(stars_[n]);
+                for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pressure, x_[n][a], sum[a]);
+            }
+        }
+        Vec<D> total;
+        for (int a = 0; a < D; ++a) total[a] = sum_lanes(sum[static_cast<std::size_t>(a)]);
+        return total;
+    }
+
+private:
+    static constexpr std::size_t batch = 8; // packs
+
+    template<class AnyLimiter>
+    [[gnu::always_inline]] inline void reconstruct(std::size_t n, std::size_t at, int i, const MirrorPath<D>& path,
+                                                   bool has_own, AnyLimiter limiter)
+    {
+        const double* state_i = records_.state(i);
+        const double* slope_i = records_.slope(i);
+        const int* sources = images_.sources() + at;
+        const auto source = load_columns<8>([this](int j) { return records_.state(j); }, sources);
+        const auto slope =
+            load_columns<PairRecords<D>::slope_size>([this](int j) { return records_.slope(j); }, sources);
+        const ImagePack<D> image = path.values(source, has_own);
+        PairView<D, Pack> pair{};
+        RatioView<Pack> q{Pack{} + state_i[2 * D], image.ratio, Pack{}, Pack{}};
+        for (std::size_t a = 0; a < D; ++a) {
+            pair.x[a] = image.x[a] - state_i[a];
+            pair.velocity_jump[a] = image.velocity[a] - state_i[D + a];
+        }
+        for (std::size_t a = 0; a < D; ++a) {
+            q.slope_i = multiply_add(Pack{} + slope_i[a], pair.x[a], q.slope_i);
+            for (std::size_t b = 0; b < D; ++b)
+                pair.velocity_slope_i[a] =
+                    multiply_add(Pack{} + slope_i[D + a * D + b], pair.x[b], pair.velocity_slope_i[a]);
+        }
+        path.predict(q.slope_j, pair.velocity_slope_j, slope, image, pair.x);
+        const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);
+        pair.inverse_distance = 1.0 / r;
+        area_[n] = load_pack(images_.weights() + at) * source[2 * D + 1] * pair.inverse_distance *
+                   ((2.0 * state_i[2 * D + 1]) * model_.kernel.slope(r));
+        faces_[n] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
+        x_[n] = pair.x;
+    }
+
+    const WallImages<D>& images_;
+    const PairRecords<D>& records_;
+    const FluidModel<D> model_;
+    std::array<FaceStates<Pack>, batch> faces_;
+    std::array<PackVector<D>, batch> x_;
+    std::array<Pack, batch> area_, stars_; ///< 2 w_i w' |W'|/r [m^(D-2)]; q*
+};
+
 template<int D, class AnyLimiter>
-void sum_forces(WallForces<D>& forces, const Walls<D>& walls, const Particles<D>& particles,
-                const NeighbourList& neighbours, const FluidModel<D>& model, AnyLimiter limiter)
+void sum_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
+                const PairRecords<D>& records, const FluidModel<D>& model, AnyLimiter limiter)
 {
-    const ImageFinder<D> finder(walls.settings());
-    const auto& planes = walls.contacts().planes;
-    for (std::size_t c = 0; c < walls.contacts().contacts.size(); ++c) {
-        const WallContact& contact = walls.contacts().contacts[c];
-        const auto i = static_cast<std::size_t>(contact.particle);
-        const auto begin = static_cast<std::size_t>(contact.plane_begin);
-        const PrimitiveState<D> mine = primitive_state(particles, i);
-        finder.for_each(contact, planes, particles.position, neighbours.of(contact.row), [&](const Image<D>& image) {
-            const auto j = static_cast<std::size_t>(image.source);
-            PrimitiveState<D> state = primitive_state(particles, j);
-            mirror_state(state, image, particles.sound_speed[j], walls.settings());
-            const double pressure = pair_flux(mine, state, image.x_ij, model.eos, limiter, true).pressure;
-            const double r = std::sqrt(image.squared_distance);
-            const double area = 2 * particles.volume[i] * image.weight * particles.volume[j] * model.kernel.slope(r);
-            const Vec<D> force = (area * pressure / r) * image.x_ij;
-            forces.on_particle[c] -= force;
-            share_out(force, image, &planes[begin], forces.on_wall, begin);
-        });
+    const auto& [contacts, planes, footprints] = walls.contacts();
+    ImageFaces<D> faces(images, records, model);
+    for (const ImageGroup& group : images.groups()) {
+        const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0);
+        const Vec<D> force = faces.force(group, contacts[group.contact].particle, path, limiter);
+        forces.on_particle[group.contact] -= force;
+        share_out(force, group, planes, forces.on_wall);
     }
 }
 
 } // namespace
 
 template<int D>
-void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const Walls<D>& walls, const Particles<D>& particles,
-                         const NeighbourList& neighbours, const FluidModel<D>& model)
+void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
+                         const PairRecords<D>& records, const FluidModel<D>& model)
 {
     const auto& contacts = walls.contacts().contacts;
     forces.on_particle.assign(contacts.size(), Vec<D>::Zero());
     forces.on_wall.assign(walls.contacts().planes.size(), Vec<D>::Zero());
-    std::visit([&](auto limiter) { sum_forces(forces, walls, particles, neighbours, model, limiter); }, model.limiter);
+    std::visit([&](auto limiter) { sum_forces(forces, images, walls, records, model, limiter); }, model.limiter);
     for (std::size_t c = 0; c < contacts.size(); ++c)
         rates.momentum[static_cast<std::size_t>(contacts[c].particle)] += forces.on_particle[c];
 }
@@ -107,10 +161,10 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
     }
 }
 
-template void add_fluid_wall_flux<2>(Rates<2>&, WallForces<2>&, const Walls<2>&, const Particles<2>&,
-                                     const NeighbourList&, const FluidModel<2>&);
-template void add_fluid_wall_flux<3>(Rates<3>&, WallForces<3>&, const Walls<3>&, const Particles<3>&,
-                                     const NeighbourList&, const FluidModel<3>&);
+template void add_fluid_wall_flux<2>(Rates<2>&, WallForces<2>&, const WallImages<2>&, const Walls<2>&,
+                                     const PairRecords<2>&, const FluidModel<2>&);
+template void add_fluid_wall_flux<3>(Rates<3>&, WallForces<3>&, const WallImages<3>&, const Walls<3>&,
+                                     const PairRecords<3>&, const FluidModel<3>&);
 template void add_wall_power<2>(WallPower&, double, const WallForces<2>&, const Walls<2>&, const Particles<2>&,
                                 const GradientField<2>&);
 template void add_wall_power<3>(WallPower&, double, const WallForces<3>&, const Walls<3>&, const Particles<3>&,

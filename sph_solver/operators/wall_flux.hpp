@@ -2,11 +2,10 @@
 #pragma once
 
 #include "coupler_lib/foundation/reproducible_sum.hpp"
-#include "sph_solver/neighbours/neighbour_list.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/operators/gradient_sums.hpp"
+#include "sph_solver/operators/wall_images.hpp"
 #include "sph_solver/state/particles.hpp"
-#include "sph_solver/walls/walls.hpp"
 
 #include <vector>
 
@@ -26,10 +25,10 @@ template<int D> struct WallForces {
 /// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along
 /// their
 /// normals, each part to its own wall.
-/// \pre walls.find_contacts for the present positions; the gradients of owned and halo particles are up to date.
+/// \pre images.find for the present positions; records hold states and slopes of the present state.
 template<int D>
-void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const Walls<D>& walls, const Particles<D>& particles,
-                         const NeighbourList& neighbours, const FluidModel<D>& model);
+void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
+                         const PairRecords<D>& records, const FluidModel<D>& model);
 
 /// Rates of work and loss at the walls, this rank's part [W], 2D [W/m].
 struct WallPower {

@@ -46,7 +46,8 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     }
     {
         const auto scope = parts_.timers.scope("pass 1: walls");
-        accumulate_wall_gradients(sums, parts_.walls, particles, neighbours, model_);
+        images_.find(parts_.walls, records_, particles, neighbours);
+        accumulate_wall_gradients(sums, images_, parts_.walls, records_, model_);
         finish_gradients(particles, rates, sums);
     }
     {
@@ -60,7 +61,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     }
     {
         const auto scope = parts_.timers.scope("pass 2: walls");
-        add_fluid_wall_flux(rates, wall_forces, parts_.walls, particles, neighbours, model_);
+        add_fluid_wall_flux(rates, wall_forces, images_, parts_.walls, records_, model_);
     }
     add_gravity(rates, particles, model_.gravity);
     return evaluation_;

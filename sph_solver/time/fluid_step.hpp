@@ -69,6 +69,7 @@ private:
     std::vector<StageObserver<D>*> observers_;
     PairRecords<D> records_;
     NeighboursInReach<D> in_reach_;
+    WallImages<D> images_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
     bool settled_ = false;       ///< settle was called for the coming step

@@ -147,6 +147,7 @@ private:
 ///     p' = p + rho (g - a_w).(x' - x),   rho' = rho + (p' - p)/c^2       grad rho' = R grad rho + 2 rho ((g -
 /// a_w).n)/c^2 n
 ///
+/// For one image at a time, in plain numbers: what the packs of operators/image_packs.hpp are held against.
 /// \param state in: of the source; out: of the image.  \param sound_speed c of the source [m/s]
 template<int D>
 void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_speed, const WallSettings<D>& settings)
@@ -167,23 +168,6 @@ void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_
             state.velocity -= (2 * (state.velocity - plane.velocity).dot(n)) * n;
             state.velocity_gradient = gradient - (2 * n) * (n.transpose() * gradient).eval();
         }
-    }
-}
-
-/// mirror_state for velocity and density alone.
-template<int D>
-void mirror_values(Vec<D>& velocity, double& density, const Image<D>& image, double sound_speed,
-                   const WallSettings<D>& settings)
-{
-    for (int k = 0; k < image.order; ++k) {
-        const MirrorPlane<D>& plane = *image.path[static_cast<std::size_t>(k)];
-        const Vec<D>& n = plane.normal;
-        const double slope = density * (settings.gravity - plane.acceleration).dot(n) / (sound_speed * sound_speed);
-        density -= 2 * image.height[static_cast<std::size_t>(k)] * slope;
-        if (plane.no_slip)
-            velocity = 2 * plane.velocity - velocity;
-        else
-            velocity -= (2 * (velocity - plane.velocity).dot(n)) * n;
     }
 }
 

@@ -4,8 +4,8 @@
 #include "coupler_lib/coupling/surface.hpp"
 #include "sph_solver/interface/interface_geometry.hpp"
 #include "sph_solver/interface/interface_loads.hpp"
-#include "sph_solver/operators/wall_flux.hpp"
 #include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/wall_pass.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ template<int D> struct WetPlate {
         walls.find_contacts(particles);
         Rates<D> rates;
         rates.reset(particles.size());
-        add_fluid_wall_flux(rates, forces, walls, particles, neighbours, model);
+        forces = WallPass<D>(walls, particles, neighbours, model).forces(rates);
     }
 };
 

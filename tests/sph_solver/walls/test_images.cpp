@@ -2,6 +2,7 @@
 #include "tests/sph_solver/walls/wall_samples.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace sph {

@@ -115,22 +115,5 @@ TYPED_TEST(MirrorState, GradientsAreThoseOfTheMirroredField)
     }
 }
 
-TYPED_TEST(MirrorState, ValuesAloneAreTheSame)
-{
-    constexpr int D = TypeParam::value;
-    Cast<D> cast;
-    auto image = cast.image_at(Vec<D>::Constant(0.4));
-    image.order = 2;
-    image.path[1] = &cast.second;
-    image.height[1] = 0.7;
-    PrimitiveState<D> state = cast.state;
-    mirror_state(state, image, sound_speed, cast.settings);
-    Vec<D> velocity = cast.state.velocity;
-    double density = cast.state.density;
-    mirror_values(velocity, density, image, sound_speed, cast.settings);
-    EXPECT_EQ(velocity, state.velocity);
-    EXPECT_EQ(density, state.density);
-}
-
 } // namespace
 } // namespace sph

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "sph_solver/operators/wall_flux.hpp"
-#include "sph_solver/operators/wall_gradients.hpp"
 #include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/wall_pass.hpp"
 #include "tests/sph_solver/walls/wall_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -37,8 +36,7 @@ template<int D> WallForces<D> forces_on(Walls<D>& walls, Particles<D>& particles
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
     rates.reset(particles.size());
-    WallForces<D> forces;
-    add_fluid_wall_flux(rates, forces, walls, particles, neighbours, model);
+    WallForces<D> forces = WallPass<D>(walls, particles, neighbours, model).forces(rates);
     const double unit = model.eos.pressure(density_at_test);
     for (auto& force : forces.on_particle) force /= unit;
     for (auto& force : forces.on_wall) force /= unit;
@@ -212,7 +210,7 @@ TEST(WallForce, GradientsNextToAWallAreThoseOfAFullNeighbourhood)
             sums[i].moment += model.kernel.slope(x_ij.norm()) / x_ij.norm() * x_ij * x_ij.transpose();
         }
     const Mat<2> middle = sums[3 * 8 + 3].moment;
-    accumulate_wall_gradients(sums, walls, particles, neighbours, model);
+    WallPass<2>(walls, particles, neighbours, model).add_gradients(sums);
     for (const auto& sum : sums) {
         EXPECT_LT((sum.moment - middle).norm(), 1e-12);
         EXPECT_LT(sum.velocity.norm(), 1e-12);

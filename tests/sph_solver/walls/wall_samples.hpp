@@ -6,7 +6,6 @@
 #include "sph_solver/walls/walls.hpp"
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 /// Walls and fluids for tests. The unit of length is the particle spacing dx; h = 1.23.
@@ -84,42 +83,52 @@ template<int D> std::vector<MirrorPlane<D>> planes_at(Walls<D>& walls, const Vec
 }
 
 /// What a particle sees of a fluid that fills a region: kernel integral (1 when all space is filled once) and
-/// sum w |W'| n (0 in the same case; the wall's share of it is 0.44 at dx/2 from a flat wall).
-struct Seen {
+/// sum w |W'| n (0 in the same case; the wall's share of it is 0.44 at dx/2 from a flat wall in 2D).
+template<int D> struct SeenIn {
     double volume = 0;
-    Vec<2> gradient = Vec<2>::Zero();
+    Vec<D> gradient = Vec<D>::Zero();
 };
+using Seen = SeenIn<2>;
 
-/// Sums over a fluid on a fine lattice of spacing `fine`, the same for every x, and over its images.
-inline Seen look_around(Walls<2>& walls, const Vec<2>& x, const std::function<bool(const Vec<2>&)>& is_fluid,
-                        double fine = 0.05)
+/// x itself and, around it, the points of a fine lattice that lie in the fluid; the lattice is the same for every x.
+template<int D, class IsFluid> std::vector<Vec<D>> lattice_around(const Vec<D>& x, const IsFluid& is_fluid, double fine)
 {
-    const CubicSpline<2> kernel(smoothing_length);
-    std::vector<Vec<2>> positions{x};
+    const double support = 2 * smoothing_length;
+    std::vector<Vec<D>> positions{x};
+    const int side = static_cast<int>(std::ceil(2 * support / fine)) + 1;
+    for (int k = 0; k < (D == 2 ? side * side : side * side * side); ++k) {
+        Vec<D> y;
+        for (int d = 0, rest = k; d < D; ++d, rest /= side)
+            y[d] = (std::floor((x[d] - support) / fine) + rest % side + 0.5) * fine;
+        if ((y - x).norm() < support && (y - x).norm() > 0 && is_fluid(y)) positions.push_back(y);
+    }
+    return positions;
+}
+
+/// Sums over a fluid on a fine lattice and over its images.
+template<int D, class IsFluid>
+SeenIn<D> look_around(Walls<D>& walls, const Vec<D>& x, const IsFluid& is_fluid, double fine = D == 2 ? 0.05 : 0.15)
+{
+    const CubicSpline<D> kernel(smoothing_length);
+    const auto positions = lattice_around<D>(x, is_fluid, fine);
     std::vector<int> neighbours;
-    const auto first = [&](int d) { return std::floor((x[d] - kernel.support()) / fine); };
-    const auto last = [&](int d) { return std::ceil((x[d] + kernel.support()) / fine); };
-    for (double a = first(0); a <= last(0); ++a)
-        for (double b = first(1); b <= last(1); ++b) {
-            const Vec<2> y((a + 0.5) * fine, (b + 0.5) * fine);
-            if ((y - x).norm() < kernel.support() && (y - x).norm() > 0 && is_fluid(y)) positions.push_back(y);
-        }
     for (int j = 1; j < static_cast<int>(positions.size()); ++j) neighbours.push_back(j);
-    Particles<2> particles = particles_at<2>(positions, fine * fine);
+    const double volume = std::pow(fine, D);
+    Particles<D> particles = particles_at<D>(positions, volume);
     particles.owned = {0};
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
 
-    Seen seen;
-    const auto add = [&](const Vec<2>& x_ij, double weight) {
+    SeenIn<D> seen;
+    const auto add = [&](const Vec<D>& x_ij, double weight) {
         const double r = x_ij.norm();
-        seen.volume += weight * fine * fine * kernel.value(r);
-        seen.gradient += (weight * fine * fine * kernel.slope(r) / r) * x_ij;
+        seen.volume += weight * volume * kernel.value(r);
+        seen.gradient += (weight * volume * kernel.slope(r) / r) * x_ij;
     };
     for (const int j : neighbours) add(positions[static_cast<std::size_t>(j)] - x, 1.0);
-    const ImageFinder<2> finder(walls.settings());
+    const ImageFinder<D> finder(walls.settings());
     for (const WallContact& contact : walls.contacts().contacts)
-        finder.for_each(contact, walls.contacts().planes, positions, neighbours, [&](const Image<2>& image) {
+        finder.for_each(contact, walls.contacts().planes, positions, neighbours, [&](const Image<D>& image) {
             if (image.source != 0) add(image.x_ij, image.weight);
         });
     return seen;

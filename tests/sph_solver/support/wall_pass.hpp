@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sph_solver/operators/wall_flux.hpp"
+#include "sph_solver/operators/wall_gradients.hpp"
+
+/// The wall's part of an evaluation for tests that have particles, walls and neighbours at hand.
+namespace sph::sample {
+
+/// \pre walls.find_contacts(particles); all fields of the particles are set.
+template<int D> struct WallPass {
+    const Walls<D>& walls;
+    const FluidModel<D>& model;
+    PairRecords<D> records;
+    WallImages<D> images;
+
+    WallPass(const Walls<D>& walls_now, const Particles<D>& particles, const NeighbourList& neighbours,
+             const FluidModel<D>& fluid)
+        : walls(walls_now), model(fluid)
+    {
+        records.load_states(particles, model.eos);
+        records.load_slopes(particles, model.eos);
+        images.find(walls, records, particles, neighbours);
+    }
+
+    void add_gradients(GradientField<D>& sums) const { accumulate_wall_gradients(sums, images, walls, records, model); }
+
+    WallForces<D> forces(Rates<D>& rates) const
+    {
+        WallForces<D> result;
+        add_fluid_wall_flux(rates, result, images, walls, records, model);
+        return result;
+    }
+};
+
+} // namespace sph::sample
