@@ -4,6 +4,7 @@
 usage: check_expectations.py RUN CASE_FOLDER [--json FILE]      (--json appends one JSON object a figure)
 """
 import argparse
+import json
 import sys
 from pathlib import Path
 
@@ -18,10 +19,12 @@ def line(finding: Finding) -> str:
         expected = f"{finding.entry['value']:.6g} +- {finding.entry.get('tolerance', 0):.3g}{kind}"
     else:
         expected = f"{low:.6g} to {high:.6g}".replace("-inf to", "at most").replace(" to inf", " or more")
+        expected = expected.replace("at most inf", "nothing, reported")
     value = "not measured" if finding.value is None else f"{finding.value:.6g}"
     verdict = "note" if not finding.judged else "pass" if finding.passed else "MISS"
     text = f"{verdict:5s} {finding.entry['quantity']:38s} {value:>14s}   expected {expected}"
-    return f"{text}   ({finding.reason})" if finding.reason else text
+    note = finding.reason or finding.detail
+    return f"{text}   ({note})" if note else text
 
 
 def judge(run: Path, case: Path, json_file: Path | None = None) -> int:
@@ -33,7 +36,7 @@ def judge(run: Path, case: Path, json_file: Path | None = None) -> int:
     print("\n".join(line(finding) for finding in findings))
     if json_file:
         with json_file.open("a", encoding="utf-8") as file:
-            file.writelines(finding.as_json() + "\n" for finding in findings)
+            file.writelines(json.dumps(finding.as_record()) + "\n" for finding in findings)
     return 0 if all(finding.passed for finding in findings if finding.judged) else 1
 
 

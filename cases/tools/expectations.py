@@ -8,6 +8,8 @@ One [[expect]] table a figure:
     column    = "tip.ux[m]"          a column, a list of columns to add up ("-name" is subtracted), or a dotted path in
                                      summary.json
     operation = "max"                see OPERATIONS below
+    function  = "period"             instead of the three above: a function (run, entry) of the case's measure.py, or of
+                                     that of the folder above
     at = 0.36                        time of value_at [s]
     from = 0.0, until = 0.2          only these times count [s]
     over = 9.61                      divide by a number, or by {file, column, operation} of the same run
@@ -15,9 +17,13 @@ One [[expect]] table a figure:
     value, tolerance, kind           expected value; kind = "relative" (default) or "absolute"
     low, high                        or a band, either end may be left out
     informative = true               printed, never judged
+    miss   = "..."                   why the figure misses, where that was found out
+    run    = "dx 0.04"               name (or names) of the runs of verify.toml it is meant for; none: the case as it stands
     source = "..."                   who says so
+
+[[convergence]] tables follow a figure over several runs: convergence.py.
 """
-import json
+import importlib.util
 import math
 import tomllib
 from dataclasses import dataclass
@@ -35,6 +41,7 @@ class Finding:
     entry: dict
     value: float | None
     reason: str = ""
+    detail: str = ""
 
     @property
     def band(self) -> tuple[float, float]:
@@ -53,13 +60,15 @@ class Finding:
         low, high = self.band
         return self.value is not None and low <= self.value <= high
 
-    def as_json(self) -> str:
+    def as_record(self) -> dict:
         kind = self.entry.get("kind", "relative") if "value" in self.entry else "band"
         fields = {"case": self.case, "quantity": self.entry["quantity"], "value": self.value,
                   "reference": self.entry.get("value", [self.entry.get("low"), self.entry.get("high")]),
                   "tolerance": self.entry.get("tolerance"), "kind": kind, "judged": self.judged,
                   "pass": self.passed, "source": self.entry.get("source", "")}
-        return json.dumps(fields)
+        fields |= {"detail": self.detail} if self.detail else {}
+        fields |= {"cause": self.reason or self.entry.get("miss", "not found yet")} if not self.passed else {}
+        return fields
 
 
 def angular_frequency(t: np.ndarray, x: np.ndarray) -> float:
@@ -115,8 +124,22 @@ def rms_to_reference(t: np.ndarray, y: np.ndarray, entry: dict) -> float:
     return float(np.sqrt(np.mean(distance**2)))
 
 
+def case_function(folder: Path, name: str):
+    """A function of measure.py in the case's folder or, for a variant, in the case's above."""
+    for path in (folder / "measure.py", folder.parent / "measure.py"):
+        if path.exists():
+            spec = importlib.util.spec_from_file_location(f"measure_{path.parent.name}", path)
+            module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+            if hasattr(module, name):
+                return getattr(module, name)
+    raise ValueError(f"no function {name} in a measure.py of {folder}")
+
+
 def measure(run: RunFolder, entry: dict) -> float:
     """The figure that `entry` describes, taken from the run."""
+    if "function" in entry:
+        return float(case_function(entry["folder"], entry["function"])(run, entry)) / scale_of(run, entry)
     if entry["file"].endswith(".json"):
         value = run.summary()
         for part in entry["column"].split("."):
@@ -137,18 +160,26 @@ def measure(run: RunFolder, entry: dict) -> float:
 
 def scale_of(run: RunFolder, entry: dict) -> float:
     over = entry.get("over", 1.0)
-    return measure(run, {"file": entry["file"], **over}) if isinstance(over, dict) else float(over)
+    return measure(run, {"file": entry.get("file"), **over}) if isinstance(over, dict) else float(over)
 
 
-def check(run: RunFolder, case: Path) -> list[Finding]:
-    """Every figure of the case's expect.toml, measured in the run; empty where the case expects nothing."""
+def is_meant(entry: dict, name: str | None) -> bool:
+    """Whether an expectation is about the run of that name; None: the case as it stands."""
+    wanted = entry.get("run")
+    return name is None if wanted is None else name in ([wanted] if isinstance(wanted, str) else wanted)
+
+
+def check(run: RunFolder, case: Path, name: str | None = None, title: str = "") -> list[Finding]:
+    """Every figure that expect.toml asks of this run, measured; empty where the case expects nothing of it."""
     path = case / "expect.toml"
     if not path.exists():
         return []
     findings = []
     for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("expect", []):
+        if not is_meant(entry, name):
+            continue
         try:
-            findings.append(Finding(case.name, entry, measure(run, entry | {"folder": case})))
-        except (KeyError, ValueError, TypeError) as error:
-            findings.append(Finding(case.name, entry, None, str(error).strip("'\"")))
+            findings.append(Finding(title or case.name, entry, measure(run, entry | {"folder": case})))
+        except (KeyError, ValueError, TypeError, IndexError) as error:
+            findings.append(Finding(title or case.name, entry, None, str(error).strip("'\"")))
     return findings

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""The generated part of docs/verification.md: what stands between its two markers, misses first.
+
+The records behind it are kept in docs/verification_results.jsonl, one JSON object a figure: a run of `verify` replaces those of
+the cases that it ran, the page is made anew from all. Everything outside the markers is written by hand and left alone;
+the cause of a miss stands beside its expectation (`miss = "..."` in expect.toml).
+"""
+import json
+from pathlib import Path
+
+BEGIN, END = "<!-- verify: begin; written by ./rivage verify -->", "<!-- verify: end -->"
+HEADER = ("case", "quantity", "ours", "reference", "difference", "tolerance", "", "source", "run", "dx [m]", "ranks", "time [s]")
+
+
+def number(value) -> str:
+    return "" if value is None else f"{value:.5g}" if isinstance(value, (int, float)) else str(value)
+
+
+def reference(record: dict) -> tuple[str, str, str]:
+    """The cells reference, difference and tolerance."""
+    value, wanted, tolerance = record["value"], record["reference"], record["tolerance"]
+    if isinstance(wanted, list):
+        low, high = wanted
+        band = f"{number(low)} to {number(high)}" if None not in wanted else f"<= {number(high)}" if low is None else f">= {number(low)}"
+        return band if wanted != [None, None] else "", "", ""
+    if value is None:
+        return number(wanted), "", number(tolerance)
+    if record["kind"] == "relative" and wanted:
+        return number(wanted), f"{100 * (value - wanted) / abs(wanted):+.3g} %", f"{100 * (tolerance or 0):.3g} %"
+    return number(wanted), f"{value - wanted:+.3g}", number(tolerance)
+
+
+def verdict(record: dict) -> str:
+    return "note" if not record["judged"] else "pass" if record["pass"] else "**miss**"
+
+
+def row(cells) -> str:
+    return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+
+
+def figure_row(record: dict) -> str:
+    quantity = record["quantity"] + (f" ({record['detail']})" if record.get("detail") else "")
+    return row((record["case"], quantity, number(record["value"]) or "-", *reference(record), verdict(record), record["source"],
+                record.get("run", ""), number(record.get("dx")), record.get("ranks", ""), number(record.get("wall_s"))))
+
+
+def miss_row(record: dict) -> str:
+    wanted, difference, tolerance = reference(record)
+    return row((record["case"], record["quantity"], number(record["value"]) or "-", wanted, difference, tolerance,
+                record.get("dx", ""), record.get("cause", "not found yet")))
+
+
+def table(header, rows: list[str]) -> list[str]:
+    return [row(header), row(["---"] * len(header)), *rows] if rows else []
+
+
+def page(records: list[dict]) -> str:
+    misses = [record for record in records if record["judged"] and not record["pass"]]
+    commits = sorted({record["commit"] for record in records if record.get("commit")})
+    lines = [f"{len(records)} figures, {len(misses)} misses; commits of the runs: {', '.join(commits)}.", "", "### Misses", ""]
+    lines += table(("case", "quantity", "ours", "reference", "difference", "tolerance", "dx [m]", "cause"),
+                   [miss_row(record) for record in misses]) or ["None."]
+    lines += ["", "### All figures", "", *table(HEADER, [figure_row(record) for record in records])]
+    return "\n".join(lines)
+
+
+def merged(old: list[dict], new: list[dict]) -> list[dict]:
+    cases = {record["case"] for record in new}
+    return sorted([record for record in old if record["case"] not in cases] + new, key=lambda record: record["case"])
+
+
+def write_page(docs: Path, new: list[dict]) -> None:
+    """Takes the new records into the file of results and renews the page. Throws ValueError when the markers are gone."""
+    results, path = docs / "verification_results.jsonl", docs / "verification.md"
+    old = [json.loads(text) for text in results.read_text(encoding="utf-8").splitlines()] if results.exists() else []
+    records = merged(old, new)
+    text = path.read_text(encoding="utf-8")
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        raise ValueError(f"{path}: the markers '{BEGIN}' and '{END}' must stand there once each")
+    before, rest = text.split(BEGIN)
+    path.write_text(f"{before}{BEGIN}\n{page(records)}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    results.write_text("".join(json.dumps(record) + "\n" for record in records), encoding="utf-8")

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""The runs that verification makes of a case, from its verify.toml; without one, a single run of the case as it stands.
+
+One [[run]] table a run:
+
+    name        = "dx 0.04"          what expect.toml calls it (`run = "dx 0.04"`)
+    set         = ["fluid.resolution.spacing=0.04"]   overrides; none: the case as it stands
+    fluid_ranks = 1, solid_ranks = 1
+    test        = true               a small sibling for ctest, left out by ./rivage verify
+
+A folder inside a case that has input files of its own is a variant, a case by itself: "hydrostatic_tank/inclined".
+"""
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+CASES = Path(__file__).resolve().parent.parent
+INPUTS = ("coupling.toml", "fluid.toml", "solid.toml")
+KEYS = {"name", "set", "fluid_ranks", "solid_ranks", "test"}
+
+
+@dataclass(frozen=True)
+class PlannedRun:
+    folder: Path
+    name: str
+    settings: tuple[str, ...] = ()
+    ranks: tuple[int, int] = (1, 1)
+    test: bool = False
+
+    @property
+    def as_it_stands(self) -> bool:
+        return not self.settings
+
+
+def is_case(folder: Path) -> bool:
+    return any((folder / name).is_file() for name in INPUTS)
+
+
+def title(folder: Path) -> str:
+    """The case's name: its path below cases/, or the folder's own name elsewhere."""
+    return str(folder.relative_to(CASES)) if folder.is_relative_to(CASES) else folder.name
+
+
+def find_cases(names: list[str]) -> list[Path]:
+    """The folders of the named cases and of their variants; without names, all of them."""
+    roots = [CASES / name if (CASES / name).is_dir() else Path(name).resolve() for name in names]
+    if not names:
+        roots = sorted(path.parent for path in CASES.glob("*/README.md"))
+    found = []
+    for root in roots:
+        folders = [folder for folder in [root, *sorted(root.rglob("*/"))] if is_case(folder)]
+        if not folders:
+            raise ValueError(f"no case '{root}'; ./rivage list shows the cases")
+        found += folders
+    return found
+
+
+def plan(folder: Path) -> list[PlannedRun]:
+    path = folder / "verify.toml"
+    if not path.exists():
+        return [PlannedRun(folder, "as it stands")]
+    runs = []
+    for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("run", []):
+        unknown = set(entry) - KEYS
+        if unknown or "name" not in entry:
+            raise ValueError(f"{path}: a [[run]] needs a name and knows {', '.join(sorted(KEYS))}; unknown: {unknown or 'none'}")
+        ranks = (entry.get("fluid_ranks", 1), entry.get("solid_ranks", 1))
+        runs.append(PlannedRun(folder, entry["name"], tuple(entry.get("set", ())), ranks, entry.get("test", False)))
+    if len({run.name for run in runs}) < len(runs):
+        raise ValueError(f"{path}: two runs have the same name")
+    return runs
