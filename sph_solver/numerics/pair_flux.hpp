@@ -34,12 +34,13 @@ PairFlux<D> pair_flux(const PrimitiveState<D>& left, const PrimitiveState<D>& ri
                       const Tait& eos, Limiter limiter, bool wall)
 {
     PairView<D, double> pair;
+    std::array<double, D> mean_velocity;
     const Vec<D> slope_left = left.velocity_gradient * x_ij;
     const Vec<D> slope_right = right.velocity_gradient * x_ij;
     for (int a = 0; a < D; ++a) {
         pair.x[a] = x_ij[a];
         pair.velocity_jump[a] = right.velocity[a] - left.velocity[a];
-        pair.mean_velocity[a] = 0.5 * (left.velocity[a] + right.velocity[a]);
+        mean_velocity[a] = 0.5 * (left.velocity[a] + right.velocity[a]);
         pair.velocity_slope_i[a] = slope_left[a];
         pair.velocity_slope_j[a] = slope_right[a];
     }
@@ -52,7 +53,7 @@ PairFlux<D> pair_flux(const PrimitiveState<D>& left, const PrimitiveState<D>& ri
     flux.pressure = eos.pressure_at_ratio(star.q);
     if (wall) return flux;
     const double u = eos.c0 * star.u;
-    const auto velocity = face_velocity(pair, u, limiter);
+    const auto velocity = face_velocity(face_frame<D>(pair, mean_velocity), u, limiter);
     flux.mass_flux = eos.rho0 * star.q * u;
     for (int a = 0; a < D; ++a) flux.momentum_flux[a] = flux.mass_flux * velocity[a];
     return flux;

@@ -47,8 +47,12 @@ template<class T> T cube(T x) { return x * x * x; }
 ///
 ///     G(q) = q^3 - C + (q - q_L)_+^3 + (q - q_R)_+^3,   C = (q_L^3 + q_R^3)/2 + 3/2 (u_L - u_R)
 ///
-/// G without its last two terms is the closed two-rarefaction solution q = C^(1/3). Two steps of Halley's method from
-/// q = 1 + (C - 1)/3 take cube root and shocks together. C is kept above `smallest`, short of vacuum.
+/// G without its last two terms is the closed two-rarefaction solution q = C^(1/3). One step of Halley's method takes
+/// cube root and shocks together, from the rational approximation of the cube root (Pade [2/1], e = C - 1)
+///
+///     q = (1 + 8/9 e + 2/27 e^2) / (1 + 5/9 e)
+///
+/// whose error, of order e^4, comes out cubed. C is kept above `smallest`, short of vacuum.
 ///
 /// Swapping the sides and the signs of both velocities gives the same q and exactly the opposite u.
 template<class T> [[gnu::always_inline]] inline StarState<T> solve_riemann_scaled(const FaceStates<T>& face)
@@ -57,12 +61,14 @@ template<class T> [[gnu::always_inline]] inline StarState<T> solve_riemann_scale
     const auto& [q_l, u_l, q_r, u_r] = face;
     const T cube_l = cube(q_l), cube_r = cube(q_r);
     const T c = maximum(0.5 * (cube_l + cube_r) + 1.5 * (u_l - u_r), smallest + T{});
-    T q = c * (1.0 / 3.0) + (2.0 / 3.0);
-    for (int step = 0; step < 2; ++step) {
+    const T e = c - 1.0;
+    T q = (e * (8.0 / 9.0 + e * (2.0 / 27.0)) + 1.0) / (e * (5.0 / 9.0) + 1.0);
+    {
         const T a_l = maximum(q - q_l, T{}), a_r = maximum(q - q_r, T{});
-        const T g = (q * q * q - c) + (a_l * a_l * a_l + a_r * a_r * a_r); // G
-        const T g1 = 3.0 * (q * q + (a_l * a_l + a_r * a_r));              // G'
-        const T g2 = 3.0 * (q + (a_l + a_r));                              // G'' / 2
+        const T s = q * q, s_l = a_l * a_l, s_r = a_r * a_r;
+        const T g = multiply_add(s, q, -c) + (s_l * a_l + s_r * a_r); // G
+        const T g1 = 3.0 * (s + (s_l + s_r));                         // G'
+        const T g2 = 3.0 * (q + (a_l + a_r));                         // G'' / 2
         q = q - g * g1 / (g1 * g1 - g * g2);
     }
     const T a_l = maximum(q - q_l, T{}), a_r = maximum(q - q_r, T{});

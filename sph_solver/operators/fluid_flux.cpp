@@ -6,20 +6,18 @@
 namespace sph {
 namespace {
 
-/// The same sums as FluxSums, four neighbours side by side.
+/// The same sums as FluxSums, eight neighbours side by side: mass, by_mass, by_pressure.
 template<int D> struct FluxPacks {
-    Pack mass{};
-    std::array<Pack, D> by_mass{}, by_pressure{};
+    std::array<Pack, 2 * D + 1> sums{};
 
-    FluxSums<D> total() const
+    [[gnu::always_inline]] inline void write(FluxSums<D>& result) const
     {
-        FluxSums<D> sums;
-        sums.mass = sum_lanes(mass);
-        for (int a = 0; a < D; ++a) {
-            sums.by_mass[a] = sum_lanes(by_mass[static_cast<std::size_t>(a)]);
-            sums.by_pressure[a] = sum_lanes(by_pressure[static_cast<std::size_t>(a)]);
+        const auto total = sum_lanes_of(sums);
+        result.mass = total[0];
+        for (std::size_t a = 0; a < D; ++a) {
+            result.by_mass[static_cast<int>(a)] = total[1 + a];
+            result.by_pressure[static_cast<int>(a)] = total[1 + D + a];
         }
-        return sums;
     }
 };
 
@@ -31,30 +29,31 @@ template<int D, class Row> [[gnu::always_inline]] inline Pack along(const Row* g
     return sum;
 }
 
-/// The faces of a batch of particles towards their neighbours, four in a pack. The work is split in three loops over
+/// The faces of a batch of particles towards their neighbours, eight in a pack. The work is split in three loops over
 /// the packs: each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs
 /// where the loops are short in code and long in turns.
 template<int D> class FaceBatch {
 public:
-    FaceBatch(const PairRecords<D>& records, const NeighbourList& neighbours, const FluidModel<D>& model)
+    FaceBatch(const PairRecords<D>& records, const ReachedNeighbours& neighbours, const FluidModel<D>& model)
         : records_(records), model_(model)
     {
         std::size_t longest = 0;
-        for (std::size_t k = 0; k < neighbours.rows(); ++k) longest = std::max(longest, neighbours.of(k).size());
-        const std::size_t capacity = filled + longest / pack_size + 1;
-        pairs_.resize(capacity);
+        for (std::size_t k = 0; k < neighbours.rows(); ++k) longest = std::max(longest, neighbours.packs_of(k).size());
+        const std::size_t capacity = filled + longest / pack_size;
+        frames_.resize(capacity);
         area_.resize(capacity);
         faces_.resize(capacity);
         stars_.resize(capacity);
     }
 
     /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
-    template<class Neighbours, class AnyLimiter>
-    void reconstruct(int i, const Neighbours& neighbours, FluxSums<D>& sums, AnyLimiter limiter)
+    template<class AnyLimiter>
+    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums, AnyLimiter limiter)
     {
         const double* state = records_.state(i);
         const double* slope = records_.slope(i);
-        for_each_pack(neighbours, i, [&](const int* indices) { reconstruct_pack(state, slope, indices, limiter); });
+        for (std::size_t n = 0; n < neighbours.size(); n += pack_size)
+            reconstruct_pack(state, slope, &neighbours[n], limiter);
         rows_[row_count_++] = {&sums, size_};
     }
 
@@ -68,7 +67,7 @@ public:
         for (std::size_t row = 0; row < row_count_; ++row) {
             FluxPacks<D> packs;
             for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter);
-            *rows_[row].sums = packs.total();
+            packs.write(*rows_[row].sums);
         }
         size_ = 0;
         row_count_ = 0;
@@ -90,10 +89,11 @@ private:
         const auto slope =
             load_columns<PairRecords<D>::slope_size>([this](int j) { return records_.slope(j); }, indices);
         PairView<D, Pack> pair;
+        std::array<Pack, D> mean_velocity;
         for (std::size_t a = 0; a < D; ++a) {
             pair.x[a] = state[a] - state_i[a];
             pair.velocity_jump[a] = state[D + a] - state_i[D + a];
-            pair.mean_velocity[a] = 0.5 * (state[D + a] + state_i[D + a]);
+            mean_velocity[a] = 0.5 * (state[D + a] + state_i[D + a]);
         }
         for (std::size_t a = 0; a < D; ++a) {
             pair.velocity_slope_i[a] = along<D>(slope_i + D + a * D, pair.x);
@@ -105,22 +105,23 @@ private:
         const RatioView<Pack> q{Pack{} + state_i[2 * D], state[2 * D], along<D>(slope_i, pair.x),
                                 along<D>(slope.data(), pair.x)};
         faces_[size_] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
-        pairs_[size_++] = pair;
+        frames_[size_++] = face_frame<D>(pair, mean_velocity);
     }
 
     template<class AnyLimiter>
-    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& sums, std::size_t n, AnyLimiter limiter) const
+    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& packs, std::size_t n, AnyLimiter limiter) const
     {
         const Tait& eos = model_.eos;
-        const PairView<D, Pack>& pair = pairs_[n];
+        const FaceFrame<D, Pack>& frame = frames_[n];
         const Pack u = eos.c0 * stars_[n].u;
-        const auto velocity = face_velocity(pair, u, limiter);
+        const auto velocity = face_velocity(frame, u, limiter);
         const Pack mass_flux = area_[n] * (eos.rho0 * stars_[n].q * u);
-        const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * pair.inverse_distance;
-        sums.mass -= mass_flux;
+        const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * frame.inverse_distance;
+        auto& sums = packs.sums;
+        sums[0] -= mass_flux;
         for (std::size_t a = 0; a < D; ++a) {
-            sums.by_mass[a] = multiply_add(-mass_flux, velocity[a], sums.by_mass[a]);
-            sums.by_pressure[a] = multiply_add(-pressure, pair.x[a], sums.by_pressure[a]);
+            sums[1 + a] = multiply_add(-mass_flux, velocity[a], sums[1 + a]);
+            sums[1 + D + a] = multiply_add(-pressure, frame.x[a], sums[1 + D + a]);
         }
     }
 
@@ -128,19 +129,19 @@ private:
     const FluidModel<D> model_;
     std::size_t size_ = 0, row_count_ = 0;
     std::array<Row, 32> rows_;
-    std::vector<PairView<D, Pack>> pairs_;
+    std::vector<FaceFrame<D, Pack>> frames_;
     std::vector<Pack> area_;
     std::vector<FaceStates<Pack>> faces_;
     std::vector<StarState<Pack>> stars_;
 };
 
 template<int D, class AnyLimiter>
-void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,
+void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                 const std::vector<int>& owned, const FluidModel<D>& model, AnyLimiter limiter)
 {
     FaceBatch<D> batch(records, neighbours, model);
     for (std::size_t k = 0; k < owned.size(); ++k) {
-        batch.reconstruct(owned[k], neighbours.of(k), sums[k], limiter);
+        batch.reconstruct(owned[k], neighbours.packs_of(k), sums[k], limiter);
         if (batch.full()) batch.solve(limiter);
     }
     batch.solve(limiter);
@@ -150,7 +151,7 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Neighbo
 
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const NeighbourList& neighbours, const std::vector<int>& owned, const FluidModel<D>& model)
+                          const ReachedNeighbours& neighbours, const std::vector<int>& owned, const FluidModel<D>& model)
 {
     sums.resize(owned.size());
     std::visit([&](auto limiter) { sum_fluxes(sums, records, neighbours, owned, model, limiter); }, model.limiter);
@@ -169,9 +170,9 @@ template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles,
     }
 }
 
-template void add_fluid_fluid_flux<2>(Rates<2>&, FluxField<2>&, const PairRecords<2>&, const NeighbourList&,
+template void add_fluid_fluid_flux<2>(Rates<2>&, FluxField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
                                       const std::vector<int>&, const FluidModel<2>&);
-template void add_fluid_fluid_flux<3>(Rates<3>&, FluxField<3>&, const PairRecords<3>&, const NeighbourList&,
+template void add_fluid_fluid_flux<3>(Rates<3>&, FluxField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
                                       const std::vector<int>&, const FluidModel<3>&);
 template void add_gravity<2>(Rates<2>&, const Particles<2>&, const Vec<2>&);
 template void add_gravity<3>(Rates<3>&, const Particles<3>&, const Vec<3>&);

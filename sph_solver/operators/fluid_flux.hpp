@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/operators/flux_sums.hpp"
 #include "sph_solver/operators/pair_records.hpp"
@@ -19,7 +19,7 @@ namespace sph {
 /// \pre records hold states and slopes of the present state.
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const NeighbourList& neighbours, const std::vector<int>& owned, const FluidModel<D>& model);
+                          const ReachedNeighbours& neighbours, const std::vector<int>& owned, const FluidModel<D>& model);
 
 /// Weight of each owned particle, dP_i/dt += m_i g [N].
 template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles, const Vec<D>& gravity);

@@ -6,54 +6,54 @@
 namespace sph {
 namespace {
 
-/// The same sums as GradientSums, four neighbours side by side; the symmetric M as its upper triangle.
+/// The same sums as GradientSums, eight neighbours side by side: the upper triangle of M, then G[v] row by row, then
+/// G[q].
 template<int D> struct PackedSums {
-    std::array<Pack, D*(D + 1) / 2> moment{};
-    std::array<Pack, D> ratio{};
-    std::array<Pack, D * D> velocity{};
+    static constexpr std::size_t velocity = D * (D + 1) / 2, ratio = velocity + D * D;
+    std::array<Pack, ratio + D> sums{};
 
-    /// Adds four neighbours, given as columns (x, v, q, w), to the sums of particle i.
+    /// Place of M(a, b), a <= b, in its upper triangle row by row.
+    static constexpr std::size_t upper_triangle(std::size_t a, std::size_t b) { return a * D - a * (a + 1) / 2 + b; }
+
+    /// Adds eight neighbours, given as columns (x, v, q, w), to the sums of particle i.
     [[gnu::always_inline]] inline void add(const std::array<Pack, 8>& neighbour, const double* state,
                                            const CubicSpline<D>& kernel)
     {
         std::array<Pack, D> x, weighted;
-        for (std::size_t a = 0; a < D; ++a) x[a] = neighbour[a] - state[a];
+        unrolled<D>([&](auto a) __attribute__((always_inline)) { x[a] = neighbour[a] - state[a]; });
         const Pack r = square_root(dot(x, x) + 1e-300);
         const Pack weight = neighbour[2 * D + 1] * (kernel.slope(r) / r);
-        for (std::size_t a = 0; a < D; ++a) weighted[a] = weight * x[a];
+        unrolled<D>([&](auto a) __attribute__((always_inline)) { weighted[a] = weight * x[a]; });
 
         const Pack ratio_jump = neighbour[2 * D] - state[2 * D];
-        for (std::size_t a = 0, ab = 0; a < D; ++a) {
-            for (std::size_t b = a; b < D; ++b, ++ab) moment[ab] = multiply_add(x[a], weighted[b], moment[ab]);
-            ratio[a] = multiply_add(ratio_jump, weighted[a], ratio[a]);
+        unrolled<D>([&](auto a) __attribute__((always_inline)) {
             const Pack velocity_jump = neighbour[D + a] - state[D + a];
-            for (std::size_t b = 0; b < D; ++b)
-                velocity[a * D + b] = multiply_add(velocity_jump, weighted[b], velocity[a * D + b]);
-        }
+            sums[ratio + a] = multiply_add(ratio_jump, weighted[a], sums[ratio + a]);
+            unrolled<D>([&](auto b) __attribute__((always_inline)) {
+                constexpr std::size_t ab = upper_triangle(a, b), ab_v = velocity + a * D + b;
+                if constexpr (b >= a) sums[ab] = multiply_add(x[a], weighted[b], sums[ab]);
+                sums[ab_v] = multiply_add(velocity_jump, weighted[b], sums[ab_v]);
+            });
+        });
     }
 
-    GradientSums<D> total(double rho0) const
+    [[gnu::always_inline]] inline void write(GradientSums<D>& result, double rho0) const
     {
-        GradientSums<D> sums;
-        for (int a = 0, ab = 0; a < D; ++a) {
-            const auto row = static_cast<std::size_t>(a);
-            for (int b = a; b < D; ++b, ++ab) {
-                sums.moment(a, b) = sum_lanes(moment[static_cast<std::size_t>(ab)]);
-                sums.moment(b, a) = sums.moment(a, b);
-            }
-            sums.density[a] = rho0 * sum_lanes(ratio[row]);
-            for (int b = 0; b < D; ++b)
-                sums.velocity(a, b) = sum_lanes(velocity[row * D + static_cast<std::size_t>(b)]);
+        const auto total = sum_lanes_of(sums);
+        std::size_t ab = 0, ab_v = velocity;
+        for (int a = 0; a < D; ++a) {
+            for (int b = a; b < D; ++b, ++ab) result.moment(a, b) = result.moment(b, a) = total[ab];
+            for (int b = 0; b < D; ++b, ++ab_v) result.velocity(a, b) = total[ab_v];
+            result.density[a] = rho0 * total[ratio + static_cast<std::size_t>(a)];
         }
-        sums.fluid_divergence = sums.velocity.trace();
-        return sums;
+        result.fluid_divergence = result.velocity.trace();
     }
 };
 
 } // namespace
 
 template<int D>
-void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                                 const std::vector<int>& owned, const FluidModel<D>& model)
 {
     const auto state_of = [&](int j) { return records.state(j); };
@@ -62,9 +62,10 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
     for (std::size_t k = 0; k < owned.size(); ++k) {
         const double* state = records.state(owned[k]);
         PackedSums<D> packed;
-        for_each_pack(neighbours.of(k), owned[k],
-                      [&](const int* indices) { packed.add(load_columns<8>(state_of, indices), state, kernel); });
-        sums[k] = packed.total(model.eos.rho0);
+        const auto row = neighbours.packs_of(k);
+        for (std::size_t n = 0; n < row.size(); n += pack_size)
+            packed.add(load_columns<8>(state_of, &row[n]), state, kernel);
+        packed.write(sums[k], model.eos.rho0);
     }
 }
 
@@ -94,9 +95,9 @@ template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, 
 
 template bool well_conditioned<2>(const Mat<2>&);
 template bool well_conditioned<3>(const Mat<3>&);
-template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const NeighbourList&,
+template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
                                             const std::vector<int>&, const FluidModel<2>&);
-template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const NeighbourList&,
+template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
                                             const std::vector<int>&, const FluidModel<3>&);
 template void finish_gradients<2>(Particles<2>&, Rates<2>&, const GradientField<2>&);
 template void finish_gradients<3>(Particles<3>&, Rates<3>&, const GradientField<3>&);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/operators/gradient_sums.hpp"
 #include "sph_solver/operators/pair_records.hpp"
@@ -17,7 +17,7 @@ namespace sph {
 /// order.
 /// \pre records.load_states was called for the present state.
 template<int D>
-void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const NeighbourList& neighbours,
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                                 const std::vector<int>& owned, const FluidModel<D>& model);
 
 /// Gradients of owned particles and the rate of their volumes from the complete sums:

@@ -17,7 +17,7 @@ template<int D> struct FluxSums {
     Vec<D> by_pressure = Vec<D>::Zero(); ///< dP/dt of the pressure [N]
 };
 
-/// Row k belongs to the k-th owned particle, as in NeighbourList.
+/// Row k belongs to the k-th owned particle, as in ReachedNeighbours.
 template<int D> using FluxField = std::vector<FluxSums<D>>;
 
 } // namespace sph

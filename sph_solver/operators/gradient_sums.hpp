@@ -23,7 +23,7 @@ template<int D> struct GradientSums {
     double divergence() const { return velocity.trace(); }
 };
 
-/// Row k belongs to the k-th owned particle, as in NeighbourList.
+/// Row k belongs to the k-th owned particle, as in ReachedNeighbours.
 template<int D> using GradientField = std::vector<GradientSums<D>>;
 
 } // namespace sph

@@ -3,24 +3,57 @@
 
 #include "sph_solver/neighbours/close_points.hpp"
 #include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/numerics/pack.hpp"
 #include "sph_solver/state/particles.hpp"
+
+#include <span>
+#include <vector>
 
 namespace sph {
 
+/// Who sees whom now, in the form that the pair loops read: rows over the owned particles, each filled up to whole
+/// packs with the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
+struct ReachedNeighbours {
+    std::vector<std::size_t> begins; ///< first entry of each row, a multiple of pack_size
+    std::vector<std::size_t> ends;   ///< one past the last neighbour of each row
+    std::vector<int> indices;        ///< local indices, rows in whole packs
+
+    [[nodiscard]] std::size_t rows() const { return begins.size(); }
+
+    /// Neighbours of the k-th owned particle.
+    [[nodiscard]] std::span<const int> of(std::size_t k) const
+    {
+        return {indices.data() + begins[k], ends[k] - begins[k]};
+    }
+
+    /// The same row in whole packs.
+    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
+    {
+        return {indices.data() + begins[k], whole_packs(ends[k] - begins[k])};
+    }
+
+    /// The next multiple of pack_size.
+    static constexpr std::size_t whole_packs(std::size_t count)
+    {
+        return (count + pack_size - 1) / pack_size * pack_size;
+    }
+};
+
 /// Leaves out of every row the neighbours that are beyond the kernel's support now: what the skin of the list holds
-/// in reserve costs a comparison here instead of two passes of arithmetic that add zero. The order within a row stays.
+/// in reserve costs a comparison here instead of two passes of arithmetic that add zero. The order within a row stays,
+/// so that the sums do not depend on when the list was made.
 template<int D> class NeighboursInReach {
 public:
     explicit NeighboursInReach(double support) : limit_(support * support) {}
 
-    /// The list for the present positions; valid until the next call. `indices` may be longer than its rows: the storage
+    /// The rows for the present positions; valid until the next call. `indices` may be longer than its rows: the storage
     /// of the last call is used again.
-    const NeighbourList& select(const Particles<D>& particles, const NeighbourList& neighbours);
+    const ReachedNeighbours& select(const Particles<D>& particles, const NeighbourList& neighbours);
 
 private:
     double limit_;
     PointRows<D> points_;
-    NeighbourList reached_;
+    ReachedNeighbours reached_;
 };
 
 } // namespace sph

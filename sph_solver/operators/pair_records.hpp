@@ -16,7 +16,7 @@ namespace sph {
 template<int D> class PairRecords {
 public:
     static constexpr std::size_t state_size = 8;               // x, v, q, w
-    static constexpr std::size_t slope_size = D == 2 ? 8 : 12; // grad q, grad v row by row
+    static constexpr std::size_t slope_size = D == 2 ? 8 : 16; // grad q, grad v row by row
 
     /// Reads position, velocity, density and volume. \pre derived fields are up to date on owned and halo particles.
     void load_states(const Particles<D>& particles, const Tait& eos);
@@ -34,7 +34,7 @@ private:
     struct alignas(64) State {
         std::array<double, state_size> data{};
     };
-    struct alignas(32) Slope {
+    struct alignas(64) Slope {
         std::array<double, slope_size> data{};
     };
 
@@ -42,36 +42,21 @@ private:
     std::vector<Slope> slopes_;
 };
 
-/// Rows of four particles, loaded and turned into columns: result[c] holds component c of the particles index[0..3].
+/// Rows of eight particles, loaded and turned into columns: result[c] holds component c of the particles index[0..7].
 template<std::size_t Size, class Row>
 [[gnu::always_inline]] inline std::array<Pack, Size> load_columns(Row row, const int* index)
 {
-    static_assert(Size % 4 == 0);
-    const double* rows[4] = {row(index[0]), row(index[1]), row(index[2]), row(index[3])};
+    static_assert(Size % pack_size == 0);
+    std::array<const double*, pack_size> rows;
+    for (std::size_t k = 0; k < pack_size; ++k) rows[k] = row(index[k]);
     std::array<Pack, Size> columns;
-    for (std::size_t c = 0; c < Size; c += 4) {
-        const auto part =
-            transpose(load_pack(rows[0] + c), load_pack(rows[1] + c), load_pack(rows[2] + c), load_pack(rows[3] + c));
-        for (std::size_t k = 0; k < 4; ++k) columns[c + k] = part[k];
+    for (std::size_t c = 0; c < Size; c += pack_size) {
+        std::array<Pack, pack_size> part;
+        for (std::size_t k = 0; k < pack_size; ++k) part[k] = load_pack(rows[k] + c);
+        part = transpose(part);
+        for (std::size_t k = 0; k < pack_size; ++k) columns[c + k] = part[k];
     }
     return columns;
-}
-
-/// Calls visit(const int* four_indices) over a row of neighbours. The last pack is filled up with i itself: its
-/// distance and its jumps are exactly zero, and so is all that it adds.
-template<class Row, class Visit>
-[[gnu::always_inline]] inline void for_each_pack(const Row& neighbours, int i, Visit visit)
-{
-    for (std::size_t n = 0; n < neighbours.size(); n += pack_size) {
-        const int* indices = neighbours.data() + n;
-        std::array<int, pack_size> last;
-        if (n + pack_size > neighbours.size()) {
-            last.fill(i);
-            std::copy(neighbours.begin() + static_cast<std::ptrdiff_t>(n), neighbours.end(), last.begin());
-            indices = last.data();
-        }
-        visit(indices);
-    }
 }
 
 } // namespace sph

@@ -29,7 +29,7 @@ ImageGroup group_of(std::size_t code, int first_plane)
 
 template<int D>
 void WallImages<D>::find(const Walls<D>& walls, const PairRecords<D>& records, const Particles<D>& particles,
-                         const NeighbourList& neighbours)
+                         const ReachedNeighbours& neighbours)
 {
     const auto& [contacts, planes, footprints] = walls.contacts();
     groups_.clear();

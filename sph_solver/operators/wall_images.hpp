@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/walls/images.hpp"
 #include "sph_solver/walls/walls.hpp"
@@ -30,7 +30,7 @@ template<int D> class WallImages {
 public:
     /// \pre walls.find_contacts and records.load_states for the present positions; `neighbours` are those in reach.
     void find(const Walls<D>& walls, const PairRecords<D>& records, const Particles<D>& particles,
-              const NeighbourList& neighbours);
+              const ReachedNeighbours& neighbours);
 
     const std::vector<ImageGroup>& groups() const { return groups_; }
     const int* sources() const { return sources_.data(); }

@@ -38,7 +38,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
         const auto scope = parts_.timers.scope("walls: find planes");
         parts_.walls.find_contacts(particles);
     }
-    const NeighbourList& neighbours = neighbours_in_reach(particles);
+    const ReachedNeighbours& neighbours = neighbours_in_reach(particles);
     {
         const auto scope = parts_.timers.scope("pass 1: gradients");
         records_.load_states(particles, model_.eos);
@@ -67,7 +67,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     return evaluation_;
 }
 
-template<int D> const NeighbourList& FluidStep<D>::neighbours_in_reach(const Particles<D>& particles)
+template<int D> const ReachedNeighbours& FluidStep<D>::neighbours_in_reach(const Particles<D>& particles)
 {
     const auto scope = parts_.timers.scope("neighbours in reach");
     return in_reach_.select(particles, parts_.search.list());

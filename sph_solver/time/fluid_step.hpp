@@ -55,7 +55,7 @@ public:
     long rebuilds() const { return rebuilds_; }
 
 private:
-    const NeighbourList& neighbours_in_reach(const Particles<D>& particles);
+    const ReachedNeighbours& neighbours_in_reach(const Particles<D>& particles);
     void refresh_neighbourhood(const Particles<D>& particles, double dt);
     bool lists_hold(const Particles<D>& particles, double dt) const;
     bool walls_hold(double dt) const;

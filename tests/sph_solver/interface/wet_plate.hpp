@@ -4,7 +4,7 @@
 #include "coupler_lib/coupling/surface.hpp"
 #include "sph_solver/interface/interface_geometry.hpp"
 #include "sph_solver/interface/interface_loads.hpp"
-#include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/reached_neighbours.hpp"
 #include "tests/sph_solver/support/wall_pass.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ template<int D> struct WetPlate {
     {
         set_interface_motion(walls, batch);
         walls.move(0);
-        const auto neighbours = brute_force_neighbours(particles, 2.46);
+        const auto neighbours = reached_neighbours(particles, 2.46);
         walls.prepare(particles, 0.1);
         walls.find_contacts(particles);
         Rates<D> rates;

@@ -6,7 +6,11 @@
 namespace sph {
 namespace {
 
-template<class Limiter> double phi(double d, double u) { return 2 * half_limited_jump(d, 0.5 * (d + u), Limiter{}); }
+/// The limited jump of a field with jump d and upstream jump u: phi = k (d + u).
+template<class Limiter> double phi(double d, double u)
+{
+    return Limiter{}.factor(d * u, d * d + u * u) * (d + u);
+}
 
 TEST(VanAlbada, IsTheTextbookFormula)
 {
@@ -31,6 +35,17 @@ TEST(VanAlbada, IsHomogeneousAndFiniteAtZero)
     EXPECT_EQ(phi<VanAlbada>(0.0, 0.0), 0.0);
     EXPECT_EQ(phi<VanAlbada>(1e-200, 1e-200), 0.0); // below what its squares can hold: first order
     EXPECT_DOUBLE_EQ(phi<VanAlbada>(0.2e-9, 0.9e-9), 1e-9 * phi<VanAlbada>(0.2, 0.9));
+}
+
+TEST(VanAlbada, FourAtOnceAreThoseOfEach)
+{
+    const std::array<double, 4> product = {0.2, -1.0, 3e-20, 0.0}, squares = {0.5, 2.0, 7e-20, 0.0};
+    const auto four = VanAlbada{}.factors(product, squares);
+    for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(four[k], VanAlbada{}.factor(product[k], squares[k]), 1e-15) << k;
+    const auto swapped = VanAlbada{}.factors(std::array{-1.0, 0.2, 0.0, 3e-20}, std::array{2.0, 0.5, 0.0, 7e-20});
+    EXPECT_EQ(four[0], swapped[1]); // the pair seen from its other side: the same bits
+    EXPECT_EQ(four[2], swapped[3]);
 }
 
 TEST(VanAlbada, NeverExceedsTheMean)

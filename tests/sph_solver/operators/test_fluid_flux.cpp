@@ -5,7 +5,7 @@
 #include "sph_solver/numerics/pair_flux.hpp"
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
-#include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/reached_neighbours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ template<int D> struct RoughFlow {
     {
         update_derived(particles, model.eos);
         records.load_states(particles, model.eos);
-        neighbours = sample::brute_force_neighbours(particles, 2.1 * model.kernel.smoothing_length());
+        neighbours = sample::reached_neighbours(particles, model.kernel.support());
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model);
         rates.reset(particles.size());
         finish_gradients(particles, rates, sums);
@@ -46,13 +46,13 @@ template<int D> struct RoughFlow {
     void keep_every(int n)
     {
         std::erase_if(particles.owned, [n](int i) { return i % n != 0; });
-        neighbours = sample::brute_force_neighbours(particles, 2.1 * model.kernel.smoothing_length());
+        neighbours = sample::reached_neighbours(particles, model.kernel.support());
     }
 
     FluidModel<D> model;
     Particles<D> particles;
     PairRecords<D> records;
-    NeighbourList neighbours;
+    ReachedNeighbours neighbours;
     GradientField<D> sums;
     FluxField<D> fluxes;
     Rates<D> rates;
@@ -142,7 +142,7 @@ TEST(FluidFlux, SkinOfTheListAddsNothing)
 {
     RoughFlow<2> flow(VanAlbada{});
     const Rates<2> before = flow.rates;
-    flow.neighbours = sample::brute_force_neighbours(flow.particles, flow.model.kernel.support());
+    flow.neighbours = sample::reached_neighbours(flow.particles, flow.model.kernel.support());
     flow.rates.reset(flow.particles.size());
     add_fluid_fluid_flux(flow.rates, flow.fluxes, flow.records, flow.neighbours, flow.particles.owned, flow.model);
     for (std::size_t i = 0; i < flow.particles.size(); ++i)

@@ -2,7 +2,7 @@
 #include "sph_solver/operators/fluid_gradients.hpp"
 
 #include "sph_solver/operators/derived_fields.hpp"
-#include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/reached_neighbours.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ template<int D> struct LinearFlow {
         update_derived(particles, model<D>().eos);
         rates.reset(particles.size());
         records.load_states(particles, model<D>().eos);
-        neighbours = sample::brute_force_neighbours(particles, model<D>().kernel.support());
+        neighbours = sample::reached_neighbours(particles, model<D>().kernel.support());
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model<D>());
         finish_gradients(particles, rates, sums);
     }
@@ -38,7 +38,7 @@ template<int D> struct LinearFlow {
     Particles<D> particles;
     Rates<D> rates;
     PairRecords<D> records;
-    NeighbourList neighbours;
+    ReachedNeighbours neighbours;
     GradientField<D> sums;
 };
 
@@ -103,7 +103,7 @@ TEST(FluidGradients, UseTheRawSumsWhereTheMomentIsPoor)
     PairRecords<2> records;
     records.load_states(pair, model<2>().eos);
     GradientField<2> sums;
-    accumulate_fluid_gradients(sums, records, sample::brute_force_neighbours(pair, 1.2 * dx), pair.owned, model<2>());
+    accumulate_fluid_gradients(sums, records, sample::reached_neighbours(pair, 1.2 * dx), pair.owned, model<2>());
     sums[0].moment = 0.19 * Mat<2>::Identity();
     Rates<2> rates;
     rates.reset(4);
@@ -137,7 +137,7 @@ TEST(FluidGradients, LoneParticleHasNone)
     PairRecords<3> records;
     records.load_states(lone, model<3>().eos);
     GradientField<3> sums;
-    accumulate_fluid_gradients(sums, records, sample::brute_force_neighbours(lone, 1.0), lone.owned, model<3>());
+    accumulate_fluid_gradients(sums, records, sample::reached_neighbours(lone, 1.0), lone.owned, model<3>());
     EXPECT_EQ(sums[0].moment.norm() + sums[0].velocity.norm() + sums[0].density.norm(), 0.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/reached_neighbours.hpp"
 #include "tests/sph_solver/support/wall_pass.hpp"
 #include "tests/sph_solver/walls/wall_samples.hpp"
 
@@ -32,7 +32,7 @@ template<int D> WallForces<D> forces_on(Walls<D>& walls, Particles<D>& particles
 {
     const auto model = unit_model<D>();
     set_uniform(particles, model.eos);
-    const auto neighbours = brute_force_neighbours(particles, walls.settings().support);
+    const auto neighbours = reached_neighbours(particles, walls.settings().support);
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
     rates.reset(particles.size());
@@ -200,7 +200,7 @@ TEST(WallForce, GradientsNextToAWallAreThoseOfAFullNeighbourhood)
     auto particles = particles_at<2>(lattice<2>(8));
     const auto model = unit_model<2>();
     set_uniform(particles, model.eos);
-    const auto neighbours = brute_force_neighbours(particles, walls.settings().support);
+    const auto neighbours = reached_neighbours(particles, walls.settings().support);
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
     GradientField<2> sums(particles.size());
