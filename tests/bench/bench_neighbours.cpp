@@ -29,10 +29,12 @@ template<int D> struct Fluid {
     NeighbourSearch<D> search;
 };
 
-void report(benchmark::State& state, std::size_t particles, const NeighbourList& list)
+template<class List> void report(benchmark::State& state, std::size_t particles, const List& list)
 {
     const auto count = static_cast<double>(particles);
-    state.counters["neighbours"] = static_cast<double>(list.offsets.back()) / count;
+    double neighbours = 0;
+    for (std::size_t k = 0; k < list.rows(); ++k) neighbours += static_cast<double>(list.of(k).size());
+    state.counters["neighbours"] = neighbours / count;
     state.counters["ns_per_particle"] =
         benchmark::Counter(count * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
@@ -48,7 +50,7 @@ template<int D> void select_in_reach(benchmark::State& state)
 {
     Fluid<D> fluid(static_cast<int>(state.range(0)));
     NeighboursInReach<D> in_reach(fluid.support);
-    const NeighbourList* reached = nullptr;
+    const ReachedNeighbours* reached = nullptr;
     for (auto _ : state) reached = &in_reach.select(fluid.particles, fluid.search.list());
     report(state, fluid.particles.size(), *reached);
 }
