@@ -14,7 +14,7 @@ template<int D> struct WallPass {
     PairRecords<D> records;
     WallImages<D> images;
 
-    WallPass(const Walls<D>& walls_now, const Particles<D>& particles, const NeighbourList& neighbours,
+    WallPass(const Walls<D>& walls_now, const Particles<D>& particles, const ReachedNeighbours& neighbours,
              const FluidModel<D>& fluid)
         : walls(walls_now), model(fluid)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/numerics/pair_flux.hpp"
-#include "tests/sph_solver/support/sample_fluid.hpp"
+#include "tests/sph_solver/support/reached_neighbours.hpp"
 #include "tests/sph_solver/support/wall_pass.hpp"
 #include "tests/sph_solver/walls/wall_samples.hpp"
 
@@ -39,7 +39,7 @@ template<int D> struct Plain {
     GradientField<D> sums;
     std::vector<Vec<D>> force;
 
-    Plain(const Walls<D>& walls, const Particles<D>& particles, const NeighbourList& neighbours,
+    Plain(const Walls<D>& walls, const Particles<D>& particles, const ReachedNeighbours& neighbours,
           const FluidModel<D>& model)
         : sums(particles.size())
     {
@@ -73,7 +73,7 @@ template<int D> struct Plain {
 template<int D> void expect_same_as_plain(Walls<D>& walls, const Particles<D>& particles)
 {
     const auto model = heavy_model<D>();
-    const auto neighbours = brute_force_neighbours(particles, walls.settings().support);
+    const auto neighbours = reached_neighbours(particles, walls.settings().support);
     walls.prepare(particles, 0.1);
     walls.find_contacts(particles);
     const WallPass<D> packs(walls, particles, neighbours, model);
@@ -132,7 +132,7 @@ TEST(ImagePacks, GroupsAreWholePacksThatBeginWithTheOwnImage)
 {
     auto square = lines({{Vec<2>(0, 0), Vec<2>(0, 8), Vec<2>(8, 8), Vec<2>(8, 0), Vec<2>(0, 0)}});
     const auto particles = noisy_fluid<2>(8, Tait{1000, 30});
-    const auto neighbours = brute_force_neighbours(particles, square.settings().support);
+    const auto neighbours = reached_neighbours(particles, square.settings().support);
     square.prepare(particles, 0.1);
     square.find_contacts(particles);
     const auto model = heavy_model<2>();
