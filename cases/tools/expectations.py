@@ -67,6 +67,7 @@ class Finding:
                   "tolerance": self.entry.get("tolerance"), "kind": kind, "judged": self.judged,
                   "pass": self.passed, "source": self.entry.get("source", "")}
         fields |= {"detail": self.detail} if self.detail else {}
+        fields |= {"meant_for": self.entry["run"]} if "run" in self.entry else {}
         fields |= {"cause": self.reason or self.entry.get("miss", "not found yet")} if not self.passed else {}
         return fields
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Runs what verification asks of the cases, judges it, and writes docs/verification.md's tables.
 
-usage: verify.py [CASE ...] [--programs BIN_FOLDER] [--run NAME ...] [--json FILE] [--out FOLDER] [--keep-page] [--test]
+usage: verify.py [CASE ...] [--programs BIN_FOLDER] [--run NAME ...] [--json FILE] [--out FOLDER] [--keep-page] [--test] [--page]
 
 Nothing is cached: every run is made anew, under runs/verify. Without a case: all of them. `--run` makes only the runs of that
-name; `--test` the small siblings alone, for ctest. Ends with 1 when a judged figure misses, 2 for bad input.
+name; `--test` the small siblings alone, for ctest; `--page` runs nothing and renews the page, with the causes of misses as they
+stand in expect.toml now. Ends with 1 when a judged figure misses, 2 for bad input.
 """
 import argparse
 import json
@@ -84,12 +85,16 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--json", type=Path)
     parser.add_argument("--out", type=Path, default=ROOT / "runs/verify")
     parser.add_argument("--keep-page", action="store_true", help="leave docs/verification.md as it is")
+    parser.add_argument("--page", action="store_true", help="run nothing, renew docs/verification.md")
     parser.add_argument("--test", action="store_true", help="the small siblings alone; the page stays as it is")
     return parser.parse_args()
 
 
 def main() -> int:
     arguments = parse()
+    if arguments.page:
+        write_page(ROOT / "docs", [])
+        return 0
     try:
         work = []
         for folder in find_cases(arguments.cases):

@@ -6,6 +6,7 @@ the cases that it ran, the page is made anew from all. Everything outside the ma
 the cause of a miss stands beside its expectation (`miss = "..."` in expect.toml).
 """
 import json
+import tomllib
 from pathlib import Path
 
 BEGIN, END = "<!-- verify: begin; written by ./rivage verify -->", "<!-- verify: end -->"
@@ -64,6 +65,21 @@ def page(records: list[dict]) -> str:
     return "\n".join(lines)
 
 
+def with_causes(records: list[dict], cases: Path) -> list[dict]:
+    """The records with the causes of misses as expect.toml states them now."""
+    stated: dict[str, dict] = {}
+    for record in records:
+        path = cases / record["case"] / "expect.toml"
+        if record["case"] not in stated and path.is_file():
+            content = tomllib.loads(path.read_text(encoding="utf-8"))
+            entries = content.get("expect", []) + content.get("convergence", [])
+            stated[record["case"]] = {(entry["quantity"], str(entry.get("run"))): entry.get("miss") for entry in entries}
+        cause = stated.get(record["case"], {}).get((record["quantity"], str(record.get("meant_for"))))
+        if cause and record["value"] is not None and not record["pass"]:
+            record["cause"] = cause
+    return records
+
+
 def merged(old: list[dict], new: list[dict]) -> list[dict]:
     cases = {record["case"] for record in new}
     return sorted([record for record in old if record["case"] not in cases] + new, key=lambda record: record["case"])
@@ -73,7 +89,7 @@ def write_page(docs: Path, new: list[dict]) -> None:
     """Takes the new records into the file of results and renews the page. Throws ValueError when the markers are gone."""
     results, path = docs / "verification_results.jsonl", docs / "verification.md"
     old = [json.loads(text) for text in results.read_text(encoding="utf-8").splitlines()] if results.exists() else []
-    records = merged(old, new)
+    records = with_causes(merged(old, new), docs.parent / "cases")
     text = path.read_text(encoding="utf-8")
     if text.count(BEGIN) != 1 or text.count(END) != 1:
         raise ValueError(f"{path}: the markers '{BEGIN}' and '{END}' must stand there once each")

@@ -132,6 +132,15 @@ class Page(Scratch):
         self.assertEqual([(record["case"], record["value"]) for record in records], [("a", 1.0), ("b", 3.0)])
         self.assertTrue(math.isclose(records[1]["wall_s"], 2.0))
 
+    def test_a_cause_found_later_comes_from_expect_toml(self):
+        docs = self.path / "docs"
+        write(docs / "verification.md", f"{BEGIN}\n{END}\n")
+        write_page(docs, [self.record("a", 3.0, high=2)])
+        self.assertIn("not found yet", (docs / "verification.md").read_text(encoding="utf-8"))
+        write(self.path / "cases/a/expect.toml", '[[expect]]\nquantity = "q[m]"\nhigh = 2\nmiss = "the lattice is stiff"\n')
+        write_page(docs, [])
+        self.assertIn("the lattice is stiff", (docs / "verification.md").read_text(encoding="utf-8"))
+
 
 class Functions(unittest.TestCase):
     def test_standing_wave_fit_finds_what_it_was_given(self):
