@@ -31,6 +31,13 @@ std::string list(const std::vector<std::string>& names)
                                           "; variables here: ", list(variables)));
 }
 
+/// muParser's words without its own "at position 4.", which counts from 0.
+std::string words_of(const mu::ParserError& error)
+{
+    const std::string& message = error.GetMsg();
+    return message.substr(0, std::min(message.find(" at position"), message.find_last_not_of(". ") + 1));
+}
+
 /// muParser would take "x = 3" for an assignment.
 std::size_t single_equals(const std::string& formula)
 {
@@ -95,7 +102,7 @@ Expression::Expression(const Formula& formula, std::vector<std::string> variable
         engine.parser.SetExpr(formula.text);
         engine.parser.Eval();
     } catch (const mu::ParserError& error) {
-        fail_at(formula, static_cast<std::size_t>(std::max(error.GetPos(), 0)), error.GetMsg(), engine.variables);
+        fail_at(formula, static_cast<std::size_t>(std::max(error.GetPos(), 0)), words_of(error), engine.variables);
     }
     if (engine.parser.GetNumResults() != 1)
         fail_at(formula, formula.text.find(','), "a comma separates two values, one is wanted", engine.variables);

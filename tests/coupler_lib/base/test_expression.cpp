@@ -62,6 +62,7 @@ TEST(Expression, ErrorsNamePlaceTextPositionAndVariables)
     EXPECT_NE(unknown.find("\"1 + sinn(z)\""), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("position 5"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("variables here: x, y"), std::string::npos) << unknown;
+    EXPECT_NE(unknown.find("position 5: Unexpected token \"sinn\" found;"), std::string::npos) << unknown;
     EXPECT_NE(error_of("(1 + x").find("cannot be read"), std::string::npos);
     EXPECT_NE(error_of("").find("cannot be read"), std::string::npos);
     EXPECT_NE(error_of("x = 3").find("position 3"), std::string::npos);
