@@ -34,6 +34,26 @@ template<int D> Outflow<D> make_outflow(const FluidConfig& config, const FluidMo
     return {planes, model.eos, model.gravity};
 }
 
+/// How the fluid lies on the ranks at the end, and how it was cut. Collective.
+template<int D> base::JsonObject parallel_figures(const Domain<D>& domain, const Particles<D>& particles)
+{
+    const auto& comm = domain.comm();
+    const auto owned = static_cast<double>(particles.owned.size());
+    const double halo = static_cast<double>(particles.size()) - owned;
+    base::JsonObject figures;
+    figures.set("cuts", domain.balance().cuts())
+        .set("cuts_declined", domain.balance().declined())
+        .set("imbalance_mean", domain.balance().mean())
+        .set("imbalance_last", domain.balance().present())
+        .set("blocks", static_cast<std::int64_t>(domain.blocks().size()))
+        .set("particles_most", comm.max(owned))
+        .set("particles_least", comm.min(owned))
+        .set("particles_least_ever", comm.min(static_cast<double>(domain.least_owned())))
+        .set("halo_most", comm.max(halo))
+        .set("halo_all_ranks", comm.sum(halo));
+    return figures;
+}
+
 TimeStepSettings step_settings(const FluidConfig& config)
 {
     return {config.time.cfl, config.resolution.smoothing_length(), config.liquid.sound_speed, config.time.fixed_dt};
@@ -170,7 +190,7 @@ template<int D> void FluidSimulation<D>::finish()
         .set("end_time", now_.time)
         .set("particle_updates_per_s", loop_seconds_ > 0.0 ? updates / loop_seconds_ : 0.0)
         .set("rebuilds", static_cast<std::int64_t>(step_.rebuilds()))
-        .set("cuts", domain_.cuts())
+        .set("parallel", parallel_figures(domain_, particles_))
         .set("state_hash", state_hash(particles_, comm));
     output_->summarise(figures);
     if (solid_) solid_->summarise(figures);

@@ -65,9 +65,9 @@ base::Table<ParallelConfig> parallel_table()
 {
     return base::Table<ParallelConfig>("the cut of the fluid into ranks; results do not depend on it")
         .key("imbalance_limit", &ParallelConfig::imbalance_limit,
-             {.unit = "-", .doc = "largest work of a rank over the mean before the fluid is cut anew", .min = 1.0})
+             {.unit = "-", .doc = "largest measured time of a rank over the mean before the fluid is cut anew", .min = 1.0})
         .key("rebuilds_between", &ParallelConfig::rebuilds_between,
-             {.unit = "-", .doc = "neighbour list rebuilds between two cuts, at least", .min = 1});
+             {.unit = "-", .doc = "neighbour list rebuilds between two attempts to cut it, at least", .min = 1});
 }
 
 } // namespace sph

@@ -49,6 +49,8 @@ public:
     /// The rows for the present positions; valid until the next call. `indices` may be longer than its rows: the storage
     /// of the last call is used again.
     const ReachedNeighbours& select(const Particles<D>& particles, const NeighbourList& neighbours);
+    /// Those of the last call.
+    const ReachedNeighbours& rows() const { return reached_; }
 
 private:
     double limit_;

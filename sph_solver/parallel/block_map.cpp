@@ -27,19 +27,36 @@ template<int D> int BlockMap<D>::owner(CellKey block) const
     return owners_[static_cast<std::size_t>(found - blocks_.begin())];
 }
 
-template<int D> void BlockMap<D>::repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine)
+template<int D>
+bool BlockMap<D>::repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine, double gain)
 {
-    blocks_.clear();
+    std::vector<CellKey> blocks;
     std::vector<std::int64_t> work;
     for (const BlockWork& entry : gather_sorted(comm, mine)) {
-        if (blocks_.empty() || blocks_.back() != entry.block) {
-            blocks_.push_back(entry.block);
+        if (blocks.empty() || blocks.back() != entry.block) {
+            blocks.push_back(entry.block);
             work.push_back(0);
         }
         work.back() += entry.work;
     }
+    std::vector<int> old(blocks.size());
+    std::transform(blocks.begin(), blocks.end(), old.begin(), [this](CellKey block) { return owner(block); });
     // One rank cuts and tells the others, so that the answer is one even where libraries differ.
-    owners_ = comm.gather_all(comm.is_root() ? partition(graph(work), comm.size()) : std::vector<int>{});
+    owners_ = comm.gather_all(comm.is_root() ? better_owners(graph(blocks, work), old, comm.size(), gain)
+                                             : std::vector<int>{});
+    blocks_.swap(blocks);
+    return owners_ != old;
+}
+
+/// A new cut, or the old one where that is good enough.
+template<int D>
+std::vector<int> BlockMap<D>::better_owners(const WeightedGraph& graph, const std::vector<int>& old, int ranks,
+                                            double gain)
+{
+    const std::vector<std::int64_t>& work = graph.vertex_weights;
+    std::vector<int> cut = keep_owners(partition(graph, ranks), old, work, ranks);
+    const bool all_owned = std::find(old.begin(), old.end(), unknown) == old.end();
+    return all_owned && imbalance(cut, work, ranks) > imbalance(old, work, ranks) - gain ? old : cut;
 }
 
 template<int D> void BlockMap<D>::adopt(const base::Communicator& comm, const std::vector<BlockWork>& entered)
@@ -56,18 +73,19 @@ template<int D> void BlockMap<D>::adopt(const base::Communicator& comm, const st
 
 /// Blocks as vertices; edges to the blocks that touch them, the more costly to cut the larger the shared face and the
 /// more work lies on both sides of it.
-template<int D> WeightedGraph BlockMap<D>::graph(const std::vector<std::int64_t>& work) const
+template<int D>
+WeightedGraph BlockMap<D>::graph(const std::vector<CellKey>& blocks, const std::vector<std::int64_t>& work)
 {
     WeightedGraph graph;
     graph.vertex_weights = work;
     std::int64_t largest = 1;
     for (const std::int64_t amount : work) largest = std::max(largest, amount);
-    for (std::size_t v = 0; v < blocks_.size(); ++v) {
-        const auto centre = CellGrid<D>::cell(blocks_[v]);
-        for_each_adjacent<D>(blocks_[v], [&](CellKey other) {
-            const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), other);
-            if (found == blocks_.end() || *found != other) return;
-            const auto u = static_cast<std::size_t>(found - blocks_.begin());
+    for (std::size_t v = 0; v < blocks.size(); ++v) {
+        const auto centre = CellGrid<D>::cell(blocks[v]);
+        for_each_adjacent<D>(blocks[v], [&](CellKey other) {
+            const auto found = std::lower_bound(blocks.begin(), blocks.end(), other);
+            if (found == blocks.end() || *found != other) return;
+            const auto u = static_cast<std::size_t>(found - blocks.begin());
             const auto cell = CellGrid<D>::cell(other);
             int differing = 0;
             for (std::size_t d = 0; d < D; ++d) differing += cell[d] != centre[d] ? 1 : 0;

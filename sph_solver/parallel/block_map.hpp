@@ -33,15 +33,19 @@ public:
     /// Rank that owns the block, `unknown` for one that has never held a particle.
     [[nodiscard]] int owner(CellKey block) const;
 
-    /// Cuts all blocks that hold particles anew. `mine`: the work in the blocks of this rank's particles; several
-    /// ranks may name the same block. Collective.
-    void repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine);
+    /// Cuts all blocks that hold particles anew, if that lowers the imbalance (largest work of a rank over the mean) by
+    /// `gain` or a block has no owner yet; else all keep their owners. Blocks without particles are forgotten. `mine`: the
+    /// work in the blocks of this rank's particles; several ranks may name the same block. \return whether owners have
+    /// changed. Collective.
+    bool repartition(const base::Communicator& comm, const std::vector<BlockWork>& mine, double gain);
 
     /// Gives blocks that particles have just entered to the rank that has most of them. Collective.
     void adopt(const base::Communicator& comm, const std::vector<BlockWork>& entered);
 
 private:
-    [[nodiscard]] WeightedGraph graph(const std::vector<std::int64_t>& work) const;
+    [[nodiscard]] static WeightedGraph graph(const std::vector<CellKey>& blocks, const std::vector<std::int64_t>& work);
+    [[nodiscard]] static std::vector<int> better_owners(const WeightedGraph& graph, const std::vector<int>& old,
+                                                        int ranks, double gain);
     void insert(const std::vector<CellKey>& blocks, const std::vector<int>& owners);
 
     CellGrid<D> grid_;

@@ -5,12 +5,10 @@
 #include "sph_solver/parallel/packing.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace sph {
 namespace {
-
-constexpr double cells_per_block = 2.0;
 
 std::vector<BlockWork> as_list(const std::map<CellKey, std::int64_t>& work, int rank)
 {
@@ -23,63 +21,69 @@ std::vector<BlockWork> as_list(const std::map<CellKey, std::int64_t>& work, int 
 
 template<int D>
 Domain<D>::Domain(const base::Communicator& comm, const CellGrid<D>& grid, const RebalanceSettings& settings)
-    : comm_(comm), cells_(grid), blocks_(cells_per_block * grid.cell_size()), settings_(settings)
+    : comm_(comm), cells_(grid), blocks_(grid.cell_size()), balance_(settings)
 {}
 
 template<int D> void Domain<D>::redistribute(Particles<D>& particles)
 {
-    if (comm_.size() == 1) return sort_alone(particles);
-    drop_halo(particles);
-    update_blocks(particles);
-    migrate(particles);
-    exchange_halo(particles);
+    if (comm_.size() == 1) {
+        sort_alone(particles);
+    } else {
+        drop_halo(particles);
+        update_blocks(particles);
+        migrate(particles);
+        exchange_halo(particles);
+    }
+    least_owned_ = std::min(least_owned_, particles.owned.size());
 }
 
 template<int D> void Domain<D>::sort_alone(Particles<D>& particles) { sort_canonically(particles, cells_); }
 
-/// Every block with particles has an owner afterwards: by a new cut when there is none yet or the work has become too
-/// uneven, else by giving newly entered blocks away.
+/// Every block with particles has an owner afterwards: newly entered blocks are given away, and all are cut anew when
+/// there was no cut yet or the work has become too uneven.
 template<int D> void Domain<D>::update_blocks(const Particles<D>& particles)
 {
-    ++rebuilds_since_cut_;
-    const bool cut = blocks_.empty() || unbalanced();
-    std::map<CellKey, std::int64_t> found;
-    for (const Vec<D>& x : particles.position) {
+    balance_.count_rebuild();
+    std::map<CellKey, std::int64_t> counts;
+    auto last = counts.end();
+    for (const Vec<D>& x : particles.position) { // most particles are in the block of the one before
         const CellKey block = blocks_.grid().key_of(x);
-        if (cut || blocks_.owner(block) == BlockMap<D>::unknown) found[block] += 1;
+        if (last == counts.end() || last->first != block) last = counts.try_emplace(block, 0).first;
+        ++last->second;
     }
-    if (!cut) return blocks_.adopt(comm_, as_list(found, comm_.rank()));
-    for (const BlockWork& measured : work_) {
-        const auto here = found.find(measured.block);
-        if (here != found.end()) here->second = measured.work;
+    const bool first = blocks_.empty();
+    if (!first) {
+        auto entered = counts;
+        std::erase_if(entered, [this](const auto& block) { return blocks_.owner(block.first) != BlockMap<D>::unknown; });
+        blocks_.adopt(comm_, as_list(entered, comm_.rank()));
     }
-    blocks_.repartition(comm_, as_list(found, comm_.rank()));
-    rebuilds_since_cut_ = 0;
-    best_imbalance_ = 0.0;
-    ++cuts_;
+    const bool overgrown = blocks_.size() > 2 * blocks_at_attempt_; // by blocks that water has left
+    if (!first && !overgrown && !balance_.is_due()) return;
+    balance_.tried(blocks_.repartition(comm_, with_recorded_work(counts), balance_.settings().gain));
+    blocks_at_attempt_ = blocks_.size();
 }
 
-/// The largest work over the mean, as recorded since the last cut. A limit that the last cut could not keep is
-/// raised, or few large blocks would be cut again and again in vain.
-template<int D> bool Domain<D>::unbalanced()
+/// The work as recorded; as many particles as there are, at the mean cost, where a block has been entered since.
+template<int D>
+std::vector<BlockWork> Domain<D>::with_recorded_work(const std::map<CellKey, std::int64_t>& counts) const
 {
-    std::int64_t mine = 0;
-    for (const BlockWork& block : work_) mine += block.work;
-    const auto mean = static_cast<double>(comm_.sum(mine)) / comm_.size();
-    const auto largest = static_cast<double>(comm_.max(mine));
-    if (mean == 0.0) return false;
-    const double imbalance = largest / mean;
-    if (best_imbalance_ == 0.0) best_imbalance_ = imbalance;
-    return rebuilds_since_cut_ >= settings_.rebuilds_between &&
-           imbalance > std::max(settings_.limit, 1.1 * best_imbalance_);
+    std::vector<BlockWork> work;
+    for (const auto& [block, count] : counts) {
+        const auto known = work_.find(block);
+        work.push_back({block, known == work_.end() ? count * mean_work_ : known->second, comm_.rank()});
+    }
+    return work;
 }
 
 template<int D> void Domain<D>::migrate(Particles<D>& particles)
 {
     std::vector<std::vector<char>> leaving(static_cast<std::size_t>(comm_.size()));
     std::vector<std::uint8_t> staying(particles.size(), 1);
+    CellKey last = ~CellKey{0};
+    int owner = comm_.rank();
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const int owner = blocks_.owner(blocks_.grid().key_of(particles.position[i]));
+        const CellKey block = blocks_.grid().key_of(particles.position[i]);
+        if (block != last) owner = blocks_.owner(last = block);
         if (owner == comm_.rank()) continue;
         staying[i] = 0;
         pack_particle(particles, i, leaving[static_cast<std::size_t>(owner)]);
@@ -126,8 +130,12 @@ template<int D> std::vector<std::vector<int>> Domain<D>::halo_for_ranks(const Pa
         return entry->second;
     };
     std::vector<std::vector<int>> sent(static_cast<std::size_t>(comm_.size()));
+    CellKey last = ~CellKey{0};
+    const std::vector<ForeignBlock>* around = nullptr;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        for (const auto& [key, owner] : foreign(blocks_.grid().key_of(particles.position[i]))) {
+        const CellKey block = blocks_.grid().key_of(particles.position[i]);
+        if (block != last) around = &foreign(last = block);
+        for (const auto& [key, owner] : *around) {
             auto& list = sent[static_cast<std::size_t>(owner)];
             if (!list.empty() && list.back() == static_cast<int>(i)) continue;
             if (within_reach(particles.position[i], key)) list.push_back(static_cast<int>(i));
@@ -179,16 +187,21 @@ template<int D> void Domain<D>::refresh_gradients(Particles<D>& particles) const
     scatter_.forward(particles.density_gradient, particles.velocity_gradient);
 }
 
-template<int D> void Domain<D>::record_work(const Particles<D>& particles, std::span<const std::size_t> row_offsets)
+template<int D>
+void Domain<D>::record_work(const Particles<D>& particles, std::span<const double> costs, double measured)
 {
     if (comm_.size() == 1) return;
-    std::map<CellKey, std::int64_t> work;
-    constexpr std::int64_t per_particle = 10; // what a particle costs beside its neighbours, in neighbours
+    balance_.note(comm_, measured);
+    constexpr double picoseconds = 1e12;
+    std::int64_t all = 0;
+    work_.clear();
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
         const Vec<D>& x = particles.position[static_cast<std::size_t>(particles.owned[k])];
-        work[blocks_.grid().key_of(x)] += per_particle + static_cast<std::int64_t>(row_offsets[k + 1] - row_offsets[k]);
+        const std::int64_t work = 1 + std::llround(picoseconds * costs[k]);
+        work_[blocks_.grid().key_of(x)] += work;
+        all += work;
     }
-    work_ = as_list(work, comm_.rank());
+    mean_work_ = comm_.sum(all) / std::max<std::int64_t>(1, comm_.sum(static_cast<std::int64_t>(costs.size())));
 }
 
 template class Domain<2>;

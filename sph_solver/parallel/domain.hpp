@@ -3,25 +3,21 @@
 
 #include "coupler_lib/foundation/communicator.hpp"
 #include "coupler_lib/foundation/scatter.hpp"
+#include "sph_solver/parallel/balance.hpp"
 #include "sph_solver/parallel/block_map.hpp"
 #include "sph_solver/state/canonical_order.hpp"
 #include "sph_solver/state/particles.hpp"
 
+#include <map>
 #include <span>
 #include <vector>
 
 namespace sph {
 
-/// When to cut the domain anew.
-struct RebalanceSettings {
-    double limit = 1.15;       ///< largest work of a rank over the mean that is put up with [-]
-    int rebuilds_between = 20; ///< rebuilds that must pass between two cuts
-};
-
 /// The fluid spread over the ranks: who owns which particle and who needs copies of it.
 ///
-/// Space is divided into blocks two cells wide; each occupied block has one owner, found by cutting the weighted graph
-/// of blocks. A particle belongs to the owner of its block. Halo copies are all foreign particles within `reach` of a
+/// Space is divided into blocks, the cells of the canonical order; each occupied one has one owner, found by cutting the
+/// weighted graph of blocks. A particle belongs to the owner of its block. Halo copies are all foreign particles within `reach` of a
 /// block of mine. Every particle's neighbours thus are present where it is owned, in the one canonical order, and
 /// results do not depend on the cut.
 template<int D> class Domain {
@@ -42,18 +38,21 @@ public:
     /// Sends the gradients of density and velocity to the halo copies. Collective.
     void refresh_gradients(Particles<D>& particles) const;
 
-    /// Tells how much work each owned particle is (neighbours, say): the weights of the next cut. Local.
-    void record_work(const Particles<D>& particles, std::span<const std::size_t> row_offsets);
+    /// Tells what work there is before particles are spread anew: the cost [s] of each owned particle is the weight of
+    /// the next cut, what this rank has measured since the last call [s] decides whether there is one. Collective.
+    void record_work(const Particles<D>& particles, std::span<const double> costs, double measured);
 
     [[nodiscard]] const base::Communicator& comm() const { return comm_; }
     [[nodiscard]] const base::Scatter& scatter() const { return scatter_; }
     [[nodiscard]] const BlockMap<D>& blocks() const { return blocks_; }
-    [[nodiscard]] int cuts() const { return cuts_; }
+    [[nodiscard]] const Balance& balance() const { return balance_; }
+    /// Fewest particles that this rank has owned after any redistribution.
+    [[nodiscard]] std::size_t least_owned() const { return least_owned_; }
 
 private:
     void sort_alone(Particles<D>& particles);
     void update_blocks(const Particles<D>& particles);
-    [[nodiscard]] bool unbalanced();
+    [[nodiscard]] std::vector<BlockWork> with_recorded_work(const std::map<CellKey, std::int64_t>& counts) const;
     void migrate(Particles<D>& particles);
     void exchange_halo(Particles<D>& particles);
     [[nodiscard]] std::vector<std::vector<int>> halo_for_ranks(const Particles<D>& particles) const;
@@ -64,12 +63,12 @@ private:
     base::Communicator comm_;
     CellGrid<D> cells_;
     BlockMap<D> blocks_;
-    RebalanceSettings settings_;
+    Balance balance_;
     base::Scatter scatter_;
-    std::vector<BlockWork> work_; ///< of my blocks, from the last record_work
-    int rebuilds_since_cut_ = 0;
-    int cuts_ = 0;
-    double best_imbalance_ = 0.0; ///< what the last cut achieved, 0: not measured yet
+    std::size_t blocks_at_attempt_ = 0; ///< blocks after the last attempt to cut
+    std::map<CellKey, std::int64_t> work_; ///< of my blocks [ps], from the last record_work
+    std::size_t least_owned_ = static_cast<std::size_t>(-1);
+    std::int64_t mean_work_ = 1;           ///< of a particle, over all ranks [ps]
 };
 
 } // namespace sph

@@ -3,9 +3,12 @@
 
 #include "coupler_lib/foundation/check.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <metis.h>
 #include <numeric>
+#include <utility>
 
 namespace sph {
 namespace {
@@ -46,14 +49,49 @@ std::vector<int> partition(const WeightedGraph& graph, int parts)
     std::array<idx_t, METIS_NOPTIONS> options{};
     METIS_SetDefaultOptions(options.data());
     options[METIS_OPTION_SEED] = 1;
-    options[METIS_OPTION_UFACTOR] = 20; // accepts 2 % more work than the mean
     std::vector<idx_t> part(graph.size());
     const int status =
-        METIS_PartGraphKway(&vertices, &constraints, offsets.data(), adjacency.data(), weights.data(), nullptr,
+        METIS_PartGraphRecursive(&vertices, &constraints, offsets.data(), adjacency.data(), weights.data(), nullptr,
                             edges.data(), &part_count, nullptr, nullptr, options.data(), &cut, part.data());
     base::require(status == METIS_OK, base::ExitCode::numerical_failure, "METIS could not cut a graph of ",
                   graph.size(), " blocks into ", parts, " parts (status ", status, ")");
     return {part.begin(), part.end()};
+}
+
+std::vector<int> keep_owners(std::vector<int> parts, const std::vector<int>& old_owners,
+                             const std::vector<std::int64_t>& work, int part_count)
+{
+    std::map<std::pair<int, int>, std::int64_t> shared; // (part, owner)
+    for (std::size_t v = 0; v < parts.size(); ++v)
+        if (old_owners[v] >= 0) shared[{parts[v], old_owners[v]}] += work[v];
+    std::vector<std::pair<std::int64_t, std::pair<int, int>>> matches;
+    for (const auto& [who, amount] : shared) matches.push_back({-amount, who}); // most first
+    std::sort(matches.begin(), matches.end());
+
+    constexpr int none = -1;
+    std::vector<int> number(static_cast<std::size_t>(part_count), none), taken_by(number);
+    const auto match = [&](int part, int owner) {
+        if (number[static_cast<std::size_t>(part)] != none || taken_by[static_cast<std::size_t>(owner)] != none) return;
+        number[static_cast<std::size_t>(part)] = owner;
+        taken_by[static_cast<std::size_t>(owner)] = part;
+    };
+    for (const auto& [amount, who] : matches) match(who.first, who.second);
+    for (int part = 0, owner = 0; part < part_count; ++part)
+        for (; number[static_cast<std::size_t>(part)] == none; ++owner) match(part, owner);
+    for (int& part : parts) part = number[static_cast<std::size_t>(part)];
+    return parts;
+}
+
+double imbalance(const std::vector<int>& parts, const std::vector<std::int64_t>& work, int part_count)
+{
+    std::vector<std::int64_t> sums(static_cast<std::size_t>(part_count), 0);
+    std::int64_t total = 0;
+    for (std::size_t v = 0; v < parts.size(); ++v) {
+        sums[static_cast<std::size_t>(parts[v])] += work[v];
+        total += work[v];
+    }
+    const auto largest = static_cast<double>(*std::max_element(sums.begin(), sums.end()));
+    return total > 0 ? largest * part_count / static_cast<double>(total) : 1.0;
 }
 
 } // namespace sph

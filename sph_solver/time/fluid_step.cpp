@@ -5,6 +5,7 @@
 #include "sph_solver/operators/fluid_flux.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
 #include "sph_solver/operators/wall_gradients.hpp"
+#include "sph_solver/time/work_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,12 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
         evaluate(particles);
         if (stage.weight != 0.0)
             for (auto* observer : observers_) observer->observe(particles, parts_.walls, evaluation_, stage.weight, dt);
-        update_.apply(particles, stage, evaluation_.rates, dt);
+        {
+            const auto part = measure("stage", Work::particle);
+            update_.apply(particles, stage, evaluation_.rates, dt);
+        }
         parts_.domain.refresh_state(particles); // position, volume, mass, momentum of the halo copies
+        const auto part = measure("derived fields", Work::particle);
         update_derived(particles, model_.eos);
     }
     parts_.walls.move(dt);
@@ -33,21 +38,28 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
 template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
 {
     auto& [rates, sums, fluxes, wall_forces] = evaluation_;
+    const ReachedNeighbours& neighbours = in_reach_.rows();
     rates.reset(particles.size());
     {
-        const auto scope = parts_.timers.scope("walls: find planes");
+        const auto part = measure("walls: find planes", Work::image);
         parts_.walls.find_contacts(particles);
     }
-    const ReachedNeighbours& neighbours = neighbours_in_reach(particles);
     {
-        const auto scope = parts_.timers.scope("pass 1: gradients");
+        const auto part = measure("neighbours in reach", Work::pair);
+        in_reach_.select(particles, parts_.search.list());
+    }
+    {
+        const auto part = measure("pass 1: gradients", Work::pair);
         records_.load_states(particles, model_.eos);
         accumulate_fluid_gradients(sums, records_, neighbours, particles.owned, model_);
     }
     {
-        const auto scope = parts_.timers.scope("pass 1: walls");
+        const auto part = measure("pass 1: walls", Work::image);
         images_.find(parts_.walls, records_, particles, neighbours);
         accumulate_wall_gradients(sums, images_, parts_.walls, records_, model_);
+    }
+    {
+        const auto part = measure("pass 1: finish", Work::particle);
         finish_gradients(particles, rates, sums);
     }
     {
@@ -55,22 +67,18 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
         parts_.domain.refresh_gradients(particles);
     }
     {
-        const auto scope = parts_.timers.scope("pass 2: fluxes");
+        const auto part = measure("pass 2: fluxes", Work::pair);
         records_.load_slopes(particles, model_.eos);
         add_fluid_fluid_flux(rates, fluxes, records_, neighbours, particles.owned, model_);
     }
     {
-        const auto scope = parts_.timers.scope("pass 2: walls");
+        const auto part = measure("pass 2: walls", Work::image);
         add_fluid_wall_flux(rates, wall_forces, images_, parts_.walls, records_, model_);
+        add_gravity(rates, particles, model_.gravity);
     }
-    add_gravity(rates, particles, model_.gravity);
+    meter_.add_counts(count_work(neighbours, parts_.walls.contacts()));
+    evaluated_ = true;
     return evaluation_;
-}
-
-template<int D> const ReachedNeighbours& FluidStep<D>::neighbours_in_reach(const Particles<D>& particles)
-{
-    const auto scope = parts_.timers.scope("neighbours in reach");
-    return in_reach_.select(particles, parts_.search.list());
 }
 
 template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
@@ -126,10 +134,21 @@ template<int D> void FluidStep<D>::prepare_walls(const Particles<D>& particles)
 template<int D> void FluidStep<D>::redistribute(Particles<D>& particles)
 {
     const auto scope = parts_.timers.scope("migration and halo");
+    report_work(particles);
     parts_.outflow.remove(particles);
     parts_.domain.redistribute(particles);
     update_derived(particles, model_.eos);
     redistributed_ = true;
+}
+
+/// What the last evaluation had to do, where it was, and what the evaluations since the last report have cost.
+template<int D> void FluidStep<D>::report_work(const Particles<D>& particles)
+{
+    if (!evaluated_) return;
+    const double measured = meter_.calibrate(parts_.domain.comm());
+    const auto costs = work_costs(meter_, in_reach_.rows(), parts_.walls.contacts());
+    parts_.domain.record_work(particles, costs, measured);
+    evaluated_ = false;
 }
 
 template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)
@@ -140,7 +159,6 @@ template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)
     parts_.search.build(
         particles, {.concerns = [&](const Vec<D>& x) { return walls.may_separate(x); },
                     .lets_pass = [&](const Vec<D>& x_i, const Vec<D>& x_j) { return walls.may_interact(x_i, x_j); }});
-    parts_.domain.record_work(particles, parts_.search.list().offsets);
     redistributed_ = false;
     ++rebuilds_;
 }

@@ -7,6 +7,7 @@
 #include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/parallel/domain.hpp"
+#include "sph_solver/parallel/work_meter.hpp"
 #include "sph_solver/state/outflow.hpp"
 #include "sph_solver/time/evaluation.hpp"
 #include "sph_solver/time/stage_update.hpp"
@@ -31,7 +32,8 @@ template<int D> struct FluidParts {
 template<int D> class FluidStep {
 public:
     FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
-        : model_(model), runge_kutta_(runge_kutta), parts_(parts), in_reach_(model.kernel.support())
+        : model_(model), runge_kutta_(runge_kutta), parts_(parts), in_reach_(model.kernel.support()),
+          meter_(parts.domain.comm().size() > 1)
     {}
 
     /// Adds one who keeps account of every step; not owned.
@@ -55,7 +57,14 @@ public:
     long rebuilds() const { return rebuilds_; }
 
 private:
-    const ReachedNeighbours& neighbours_in_reach(const Particles<D>& particles);
+    /// A part of the step whose time is shown in the summary and weighs in the next cut.
+    struct Measured {
+        base::TimerTree::Scope timer;
+        WorkMeter::Scope meter;
+    };
+
+    Measured measure(const char* name, Work kind) { return {parts_.timers.scope(name), meter_.measure(kind)}; }
+    void report_work(const Particles<D>& particles);
     void refresh_neighbourhood(const Particles<D>& particles, double dt);
     bool lists_hold(const Particles<D>& particles, double dt) const;
     bool walls_hold(double dt) const;
@@ -72,6 +81,8 @@ private:
     WallImages<D> images_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
+    WorkMeter meter_;
+    bool evaluated_ = false;     ///< there is work to report
     bool settled_ = false;       ///< settle was called for the coming step
     bool redistributed_ = false; ///< lists are void
     long rebuilds_ = 0;

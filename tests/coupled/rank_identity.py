@@ -48,7 +48,7 @@ def main() -> int:
             if code != 0:
                 return code
             wrong = differences(out, outs[arguments.ranks[0]])
-            cuts = RunFolder(out).summary()["fluid"]["cuts"]
+            cuts = RunFolder(out).summary()["fluid"]["parallel"]["cuts"]
             print(f"{ranks} ranks, {cuts} cuts: {hashes(out)}", *wrong, sep="\n    ", flush=True)
             good = good and not wrong
     return 0 if good else 1

@@ -45,7 +45,8 @@ def main() -> int:
             if figures[ranks]["state_hash"] != figures[1]["state_hash"]:
                 wrong.append(f"state_hash on {ranks} ranks is {figures[ranks]['state_hash']}, alone {figures[1]['state_hash']}")
             wrong += [f"{name} differs on {ranks} ranks" for name in compare(folders[1], folders[ranks])]
-        print({ranks: {key: one[key] for key in ("particles", "steps", "rebuilds", "cuts", "state_hash")} for ranks, one in figures.items()})
+        for ranks, one in figures.items():
+            print(ranks, {key: one[key] for key in ("particles", "steps", "rebuilds", "state_hash", "parallel")})
     print("\n".join(wrong) or "the same to the last bit")
     return 1 if wrong else 0
 
