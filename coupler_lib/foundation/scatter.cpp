@@ -13,7 +13,7 @@ int message_bytes(const std::vector<int>& offsets, std::size_t k, std::size_t by
 
 }  // namespace
 
-void Scatter::start(std::size_t bytes_each) const
+void Scatter::post_receives(std::size_t bytes_each) const
 {
     const std::size_t count = plan_.neighbours.size();
     send_buffer_.resize(plan_.send_indices.size() * bytes_each);

@@ -32,14 +32,31 @@ public:
     template <class... Fields>
     void forward(Fields&... fields) const
     {
+        start(fields...);
+        finish(fields...);
+    }
+
+    /// The same in two calls with work between them: the owners' values leave as they are now. One refresh at a time; the
+    /// same fields must be given to both calls.
+    template <class... Fields>
+    void start(const Fields&... fields) const
+    {
         if (plan_.neighbours.empty()) return;
         const std::size_t bytes_each = (sizeof(typename Fields::value_type) + ...);
-        start(bytes_each);
+        post_receives(bytes_each);
         for (std::size_t k = 0; k < plan_.neighbours.size(); ++k) {
             char* out = send_begin(k, bytes_each);
             (pack(fields, k, out), ...);
             send(k, bytes_each);
         }
+    }
+
+    /// Waits for the values and puts them in place.
+    template <class... Fields>
+    void finish(Fields&... fields) const
+    {
+        if (plan_.neighbours.empty()) return;
+        const std::size_t bytes_each = (sizeof(typename Fields::value_type) + ...);
         finish_receives();
         for (std::size_t k = 0; k < plan_.neighbours.size(); ++k) {
             const char* in = receive_begin(k, bytes_each);
@@ -69,7 +86,7 @@ private:
         }
     }
 
-    void start(std::size_t bytes_each) const;
+    void post_receives(std::size_t bytes_each) const;
     char* send_begin(std::size_t k, std::size_t bytes_each) const;
     const char* receive_begin(std::size_t k, std::size_t bytes_each) const;
     void send(std::size_t k, std::size_t bytes_each) const;

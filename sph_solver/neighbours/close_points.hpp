@@ -92,11 +92,15 @@ private:
 /// Points in rows: for candidates that lie here and there.
 template<int D> class PointRows {
 public:
+    void resize(std::size_t count) { rows_.resize(count); }
+    void set(int i, const Vec<D>& point)
+    {
+        for (int d = 0; d < D; ++d) rows_[static_cast<std::size_t>(i)].x[d] = point[d];
+    }
     void load(const std::vector<Vec<D>>& points)
     {
-        rows_.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i)
-            for (int d = 0; d < D; ++d) rows_[i].x[d] = points[i][d];
+        resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) set(static_cast<int>(i), points[i]);
     }
 
     /// Writes those of a list that have |x_j - x_i|^2 < limit to `out`, in its order. Returns the end of what it has

@@ -12,5 +12,7 @@ namespace sph {
 ///
 /// Throws Error(numerical_failure) that names the particle when a mass or a volume is not positive, or not a number.
 template<int D> void update_derived(Particles<D>& particles, const Tait& eos);
+/// The same for some of the particles.
+template<int D> void update_derived(Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
 
 } // namespace sph

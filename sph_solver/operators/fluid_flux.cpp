@@ -137,13 +137,13 @@ private:
 
 template<int D, class AnyLimiter>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                const std::vector<int>& owned, const FluidModel<D>& model, AnyLimiter limiter)
+                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter)
 {
     FaceBatch<D> batch(records, neighbours, model);
-    for (std::size_t k = 0; k < owned.size(); ++k) {
-        batch.reconstruct(owned[k], neighbours.packs_of(k), sums[k], limiter);
+    rows.for_each([&](std::size_t k, int i) {
+        batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter);
         if (batch.full()) batch.solve(limiter);
-    }
+    });
     batch.solve(limiter);
 }
 
@@ -151,15 +151,15 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
 
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const ReachedNeighbours& neighbours, const std::vector<int>& owned, const FluidModel<D>& model)
+                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
 {
-    sums.resize(owned.size());
-    std::visit([&](auto limiter) { sum_fluxes(sums, records, neighbours, owned, model, limiter); }, model.limiter);
-    for (std::size_t k = 0; k < owned.size(); ++k) {
-        const auto i = static_cast<std::size_t>(owned[k]);
+    sums.resize(rows.all());
+    std::visit([&](auto limiter) { sum_fluxes(sums, records, neighbours, rows, model, limiter); }, model.limiter);
+    rows.for_each([&](std::size_t k, int particle) {
+        const auto i = static_cast<std::size_t>(particle);
         rates.mass[i] += sums[k].mass;
         rates.momentum[i] += sums[k].by_mass + sums[k].by_pressure;
-    }
+    });
 }
 
 template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles, const Vec<D>& gravity)
@@ -171,9 +171,9 @@ template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles,
 }
 
 template void add_fluid_fluid_flux<2>(Rates<2>&, FluxField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
-                                      const std::vector<int>&, const FluidModel<2>&);
+                                      const RowSet&, const FluidModel<2>&);
 template void add_fluid_fluid_flux<3>(Rates<3>&, FluxField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
-                                      const std::vector<int>&, const FluidModel<3>&);
+                                      const RowSet&, const FluidModel<3>&);
 template void add_gravity<2>(Rates<2>&, const Particles<2>&, const Vec<2>&);
 template void add_gravity<3>(Rates<3>&, const Particles<3>&, const Vec<3>&);
 

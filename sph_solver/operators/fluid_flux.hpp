@@ -15,11 +15,12 @@ namespace sph {
 ///     dm_i/dt = -sum S mf,   dP_i/dt = -sum S (mf v_e + p_e n)
 ///
 /// Every particle sums its own full row in the list's order, so that its result does not depend on the partition; the
-/// pair seen from the other side gives the exactly opposite flux. Adds to `rates` and makes `sums` anew.
+/// pair seen from the other side gives the exactly opposite flux. Adds to `rates` and makes `sums`
+/// anew, for the given rows.
 /// \pre records hold states and slopes of the present state.
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const ReachedNeighbours& neighbours, const std::vector<int>& owned, const FluidModel<D>& model);
+                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model);
 
 /// Weight of each owned particle, dP_i/dt += m_i g [N].
 template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles, const Vec<D>& gravity);

@@ -54,19 +54,19 @@ template<int D> struct PackedSums {
 
 template<int D>
 void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                                const std::vector<int>& owned, const FluidModel<D>& model)
+                                const RowSet& rows, const FluidModel<D>& model)
 {
     const auto state_of = [&](int j) { return records.state(j); };
     const CubicSpline<D> kernel = model.kernel;
-    sums.resize(owned.size());
-    for (std::size_t k = 0; k < owned.size(); ++k) {
-        const double* state = records.state(owned[k]);
+    sums.resize(rows.all());
+    rows.for_each([&](std::size_t k, int i) {
+        const double* state = records.state(i);
         PackedSums<D> packed;
         const auto row = neighbours.packs_of(k);
         for (std::size_t n = 0; n < row.size(); n += pack_size)
             packed.add(load_columns<8>(state_of, &row[n]), state, kernel);
         packed.write(sums[k], model.eos.rho0);
-    }
+    });
 }
 
 template<int D> bool well_conditioned(const Mat<D>& moment)
@@ -96,9 +96,9 @@ template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, 
 template bool well_conditioned<2>(const Mat<2>&);
 template bool well_conditioned<3>(const Mat<3>&);
 template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
-                                            const std::vector<int>&, const FluidModel<2>&);
+                                            const RowSet&, const FluidModel<2>&);
 template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
-                                            const std::vector<int>&, const FluidModel<3>&);
+                                            const RowSet&, const FluidModel<3>&);
 template void finish_gradients<2>(Particles<2>&, Rates<2>&, const GradientField<2>&);
 template void finish_gradients<3>(Particles<3>&, Rates<3>&, const GradientField<3>&);
 

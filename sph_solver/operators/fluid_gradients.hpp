@@ -14,11 +14,11 @@
 namespace sph {
 
 /// Makes `sums` anew: the sums of GradientSums over the fluid pairs of each owned particle, neighbours in the list's
-/// order.
+/// order, for the given rows.
 /// \pre records.load_states was called for the present state.
 template<int D>
 void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                                const std::vector<int>& owned, const FluidModel<D>& model);
+                                const RowSet& rows, const FluidModel<D>& model);
 
 /// Gradients of owned particles and the rate of their volumes from the complete sums:
 ///

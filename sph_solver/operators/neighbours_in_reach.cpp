@@ -8,24 +8,43 @@ namespace sph {
 template<int D>
 const ReachedNeighbours& NeighboursInReach<D>::select(const Particles<D>& particles, const NeighbourList& neighbours)
 {
-    static_assert(selection_overhang <= pack_size);
+    start(particles, neighbours);
     points_.load(particles.position);
+    select(neighbours, RowSet(particles.owned));
+    return reached_;
+}
+
+template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, const NeighbourList& neighbours)
+{
+    static_assert(selection_overhang <= pack_size);
+    points_.resize(particles.size());
     const std::size_t rows = neighbours.rows();
     reached_.begins.resize(rows);
     reached_.ends.resize(rows);
     // A row takes up to a pack more than its candidates: the one to fill up, and the one written past the end.
     const std::size_t room = neighbours.indices.size() + (rows + 1) * pack_size;
     if (reached_.indices.size() < room) reached_.indices.resize(room);
+    next_ = 0;
+}
+
+template<int D>
+void NeighboursInReach<D>::take_positions(const Particles<D>& particles, const std::vector<int>& which)
+{
+    for (const int i : which) points_.set(i, particles.position[static_cast<std::size_t>(i)]);
+}
+
+template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbours, const RowSet& rows)
+{
     int* const first = reached_.indices.data();
-    int* out = first;
-    for (std::size_t k = 0; k < rows; ++k) {
-        int* const end = points_.select(particles.owned[k], limit_, neighbours.of(k), out);
+    int* out = first + next_;
+    rows.for_each([&](std::size_t k, int i) {
+        int* const end = points_.select(i, limit_, neighbours.of(k), out);
         reached_.begins[k] = static_cast<std::size_t>(out - first);
         reached_.ends[k] = static_cast<std::size_t>(end - first);
-        std::fill_n(end, pack_size, particles.owned[k]);
+        std::fill_n(end, pack_size, i);
         out += ReachedNeighbours::whole_packs(static_cast<std::size_t>(end - out));
-    }
-    return reached_;
+    });
+    next_ = static_cast<std::size_t>(out - first);
 }
 
 template class NeighboursInReach<2>;

@@ -3,6 +3,7 @@
 
 #include "sph_solver/neighbours/close_points.hpp"
 #include "sph_solver/neighbours/neighbour_list.hpp"
+#include "sph_solver/neighbours/row_set.hpp"
 #include "sph_solver/numerics/pack.hpp"
 #include "sph_solver/state/particles.hpp"
 
@@ -46,16 +47,22 @@ template<int D> class NeighboursInReach {
 public:
     explicit NeighboursInReach(double support) : limit_(support * support) {}
 
-    /// The rows for the present positions; valid until the next call. `indices` may be longer than its rows: the storage
-    /// of the last call is used again.
+    /// All rows for the present positions; valid until the next call.
     const ReachedNeighbours& select(const Particles<D>& particles, const NeighbourList& neighbours);
-    /// Those of the last call.
-    const ReachedNeighbours& rows() const { return reached_; }
+
+    /// The same in parts: start, then take positions in and select rows whose neighbours have theirs taken in.
+    void start(const Particles<D>& particles, const NeighbourList& neighbours);
+    void take_positions(const Particles<D>& particles, const std::vector<int>& which);
+    void select(const NeighbourList& neighbours, const RowSet& rows);
+
+    /// What has been selected. `indices` may be longer than its rows: the storage of the last call is used again.
+    const ReachedNeighbours& reached() const { return reached_; }
 
 private:
     double limit_;
     PointRows<D> points_;
     ReachedNeighbours reached_;
+    std::size_t next_ = 0; ///< where the next row is written
 };
 
 } // namespace sph

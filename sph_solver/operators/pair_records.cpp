@@ -3,32 +3,52 @@
 
 namespace sph {
 
+template<int D>
+void PairRecords<D>::load_state(const Particles<D>& particles, double inverse_rho0, std::size_t i)
+{
+    auto& record = states_[i].data;
+    for (std::size_t a = 0; a < D; ++a) {
+        record[a] = particles.position[i][a];
+        record[D + a] = particles.velocity[i][a];
+    }
+    record[2 * D] = particles.density[i] * inverse_rho0;
+    record[2 * D + 1] = particles.volume[i];
+}
+
+template<int D>
+void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rho0, std::size_t i)
+{
+    auto& record = slopes_[i].data;
+    for (std::size_t a = 0; a < D; ++a) {
+        record[a] = particles.density_gradient[i][a] * inverse_rho0;
+        for (std::size_t b = 0; b < D; ++b) record[D + a * D + b] = particles.velocity_gradient[i](a, b);
+    }
+}
+
 template<int D> void PairRecords<D>::load_states(const Particles<D>& particles, const Tait& eos)
 {
-    const double inverse_rho0 = 1.0 / eos.rho0;
     states_.resize(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        auto& record = states_[i].data;
-        for (std::size_t a = 0; a < D; ++a) {
-            record[a] = particles.position[i][a];
-            record[D + a] = particles.velocity[i][a];
-        }
-        record[2 * D] = particles.density[i] * inverse_rho0;
-        record[2 * D + 1] = particles.volume[i];
-    }
+    for (std::size_t i = 0; i < particles.size(); ++i) load_state(particles, 1.0 / eos.rho0, i);
+}
+
+template<int D>
+void PairRecords<D>::load_states(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which)
+{
+    states_.resize(particles.size());
+    for (const int i : which) load_state(particles, 1.0 / eos.rho0, static_cast<std::size_t>(i));
 }
 
 template<int D> void PairRecords<D>::load_slopes(const Particles<D>& particles, const Tait& eos)
 {
-    const double inverse_rho0 = 1.0 / eos.rho0;
     slopes_.resize(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        auto& record = slopes_[i].data;
-        for (std::size_t a = 0; a < D; ++a) {
-            record[a] = particles.density_gradient[i][a] * inverse_rho0;
-            for (std::size_t b = 0; b < D; ++b) record[D + a * D + b] = particles.velocity_gradient[i](a, b);
-        }
-    }
+    for (std::size_t i = 0; i < particles.size(); ++i) load_slope(particles, 1.0 / eos.rho0, i);
+}
+
+template<int D>
+void PairRecords<D>::load_slopes(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which)
+{
+    slopes_.resize(particles.size());
+    for (const int i : which) load_slope(particles, 1.0 / eos.rho0, static_cast<std::size_t>(i));
 }
 
 template class PairRecords<2>;

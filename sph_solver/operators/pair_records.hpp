@@ -20,9 +20,12 @@ public:
 
     /// Reads position, velocity, density and volume. \pre derived fields are up to date on owned and halo particles.
     void load_states(const Particles<D>& particles, const Tait& eos);
+    /// The same for some of the particles only.
+    void load_states(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
 
     /// Reads the gradients. \pre they are up to date on owned and halo particles.
     void load_slopes(const Particles<D>& particles, const Tait& eos);
+    void load_slopes(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
 
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }
@@ -31,6 +34,9 @@ public:
     static double volume(const double* state) { return state[2 * D + 1]; }
 
 private:
+    void load_state(const Particles<D>& particles, double inverse_rho0, std::size_t i);
+    void load_slope(const Particles<D>& particles, double inverse_rho0, std::size_t i);
+
     struct alignas(64) State {
         std::array<double, state_size> data{};
     };

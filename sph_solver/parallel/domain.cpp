@@ -26,6 +26,7 @@ Domain<D>::Domain(const base::Communicator& comm, const CellGrid<D>& grid, const
 
 template<int D> void Domain<D>::redistribute(Particles<D>& particles)
 {
+    base::ensure(!state_travels_, "nothing is on its way when the plan changes");
     if (comm_.size() == 1) {
         sort_alone(particles);
     } else {
@@ -177,14 +178,26 @@ void Domain<D>::make_scatter(const std::vector<std::vector<int>>& sent, const st
     scatter_ = base::Scatter(comm_, std::move(plan));
 }
 
-template<int D> void Domain<D>::refresh_state(Particles<D>& particles) const
+template<int D> void Domain<D>::start_state(const Particles<D>& particles)
 {
-    scatter_.forward(particles.position, particles.volume, particles.mass, particles.momentum);
+    scatter_.start(particles.position, particles.volume, particles.mass, particles.momentum);
+    state_travels_ = true;
 }
 
-template<int D> void Domain<D>::refresh_gradients(Particles<D>& particles) const
+template<int D> void Domain<D>::finish_state(Particles<D>& particles)
 {
-    scatter_.forward(particles.density_gradient, particles.velocity_gradient);
+    if (state_travels_) scatter_.finish(particles.position, particles.volume, particles.mass, particles.momentum);
+    state_travels_ = false;
+}
+
+template<int D> void Domain<D>::start_gradients(const Particles<D>& particles) const
+{
+    scatter_.start(particles.density_gradient, particles.velocity_gradient);
+}
+
+template<int D> void Domain<D>::finish_gradients(Particles<D>& particles) const
+{
+    scatter_.finish(particles.density_gradient, particles.velocity_gradient);
 }
 
 template<int D>

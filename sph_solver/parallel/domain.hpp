@@ -32,11 +32,14 @@ public:
     ///       `owned`, `is_owned` and the scatter are new, neighbour lists are void
     void redistribute(Particles<D>& particles);
 
-    /// Sends position, volume, mass and momentum to the halo copies. Collective.
-    void refresh_state(Particles<D>& particles) const;
+    /// Sends position, volume, mass and momentum of the owned particles on their way to the halo copies. Collective.
+    void start_state(const Particles<D>& particles);
+    /// Waits for them, if they are on their way, and puts them in place. One exchange at a time.
+    void finish_state(Particles<D>& particles);
 
-    /// Sends the gradients of density and velocity to the halo copies. Collective.
-    void refresh_gradients(Particles<D>& particles) const;
+    /// The same for the gradients of density and velocity.
+    void start_gradients(const Particles<D>& particles) const;
+    void finish_gradients(Particles<D>& particles) const;
 
     /// Tells what work there is before particles are spread anew: the cost [s] of each owned particle is the weight of
     /// the next cut, what this rank has measured since the last call [s] decides whether there is one. Collective.
@@ -65,6 +68,7 @@ private:
     BlockMap<D> blocks_;
     Balance balance_;
     base::Scatter scatter_;
+    bool state_travels_ = false;
     std::size_t blocks_at_attempt_ = 0; ///< blocks after the last attempt to cut
     std::map<CellKey, std::int64_t> work_; ///< of my blocks [ps], from the last record_work
     std::size_t least_owned_ = static_cast<std::size_t>(-1);

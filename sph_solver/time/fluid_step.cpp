@@ -23,13 +23,10 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
         evaluate(particles);
         if (stage.weight != 0.0)
             for (auto* observer : observers_) observer->observe(particles, parts_.walls, evaluation_, stage.weight, dt);
-        {
-            const auto part = measure("stage", Work::particle);
-            update_.apply(particles, stage, evaluation_.rates, dt);
-        }
-        parts_.domain.refresh_state(particles); // position, volume, mass, momentum of the halo copies
-        const auto part = measure("derived fields", Work::particle);
-        update_derived(particles, model_.eos);
+        const auto part = measure("stage", Work::particle);
+        update_.apply(particles, stage, evaluation_.rates, dt);
+        parts_.domain.start_state(particles); // position, volume, mass, momentum for the halo copies
+        update_derived(particles, model_.eos, particles.owned);
     }
     parts_.walls.move(dt);
     settled_ = false;
@@ -37,48 +34,84 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
 
 template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
 {
-    auto& [rates, sums, fluxes, wall_forces] = evaluation_;
-    const ReachedNeighbours& neighbours = in_reach_.rows();
-    rates.reset(particles.size());
-    {
-        const auto part = measure("walls: find planes", Work::image);
-        parts_.walls.find_contacts(particles);
-    }
-    {
-        const auto part = measure("neighbours in reach", Work::pair);
-        in_reach_.select(particles, parts_.search.list());
-    }
-    {
-        const auto part = measure("pass 1: gradients", Work::pair);
-        records_.load_states(particles, model_.eos);
-        accumulate_fluid_gradients(sums, records_, neighbours, particles.owned, model_);
-    }
-    {
-        const auto part = measure("pass 1: walls", Work::image);
-        images_.find(parts_.walls, records_, particles, neighbours);
-        accumulate_wall_gradients(sums, images_, parts_.walls, records_, model_);
-    }
-    {
-        const auto part = measure("pass 1: finish", Work::particle);
-        finish_gradients(particles, rates, sums);
-    }
-    {
-        const auto scope = parts_.timers.scope("halo: gradients");
-        parts_.domain.refresh_gradients(particles);
-    }
-    {
-        const auto part = measure("pass 2: fluxes", Work::pair);
-        records_.load_slopes(particles, model_.eos);
-        add_fluid_fluid_flux(rates, fluxes, records_, neighbours, particles.owned, model_);
-    }
-    {
-        const auto part = measure("pass 2: walls", Work::image);
-        add_fluid_wall_flux(rates, wall_forces, images_, parts_.walls, records_, model_);
-        add_gravity(rates, particles, model_.gravity);
-    }
-    meter_.add_counts(count_work(neighbours, parts_.walls.contacts()));
+    const RowSet inner(particles.owned, split_.inner), border(particles.owned, split_.border);
+    find_planes(particles);
+    in_reach_.start(particles, parts_.search.list());
+    evaluation_.rates.reset(particles.size());
+    first_pass(particles, particles.owned, inner); // while the state of the halo copies is on its way
+    complete_state(particles);
+    first_pass(particles, split_.halo, border);
+    first_pass_at_walls(particles);
+    parts_.domain.start_gradients(particles);
+    second_pass(particles, particles.owned, inner); // while their gradients are
+    complete_gradients(particles);
+    second_pass(particles, split_.halo, border);
+    second_pass_at_walls(particles);
+    meter_.add_counts(count_work(in_reach_.reached(), parts_.walls.contacts()));
     evaluated_ = true;
     return evaluation_;
+}
+
+template<int D> void FluidStep<D>::find_planes(const Particles<D>& particles)
+{
+    const auto part = measure("walls: find planes", Work::image);
+    parts_.walls.find_contacts(particles);
+}
+
+/// Sums over the fluid pairs of some rows, when the particles `which` have got their state.
+template<int D>
+void FluidStep<D>::first_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
+{
+    {
+        const auto part = measure("neighbours in reach", Work::pair);
+        in_reach_.take_positions(particles, which);
+        in_reach_.select(parts_.search.list(), rows);
+    }
+    const auto part = measure("pass 1: gradients", Work::pair);
+    records_.load_states(particles, model_.eos, which);
+    accumulate_fluid_gradients(evaluation_.gradient_sums, records_, in_reach_.reached(), rows, model_);
+}
+
+template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
+{
+    {
+        const auto part = measure("pass 1: walls", Work::image);
+        images_.find(parts_.walls, records_, particles, in_reach_.reached());
+        accumulate_wall_gradients(evaluation_.gradient_sums, images_, parts_.walls, records_, model_);
+    }
+    const auto part = measure("pass 1: finish", Work::particle);
+    finish_gradients(particles, evaluation_.rates, evaluation_.gradient_sums);
+}
+
+/// Fluxes through the faces of some rows, when the particles `which` have got their gradients.
+template<int D>
+void FluidStep<D>::second_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
+{
+    const auto part = measure("pass 2: fluxes", Work::pair);
+    records_.load_slopes(particles, model_.eos, which);
+    add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_);
+}
+
+template<int D> void FluidStep<D>::second_pass_at_walls(const Particles<D>& particles)
+{
+    const auto part = measure("pass 2: walls", Work::image);
+    auto& [rates, sums, fluxes, wall_forces] = evaluation_;
+    add_fluid_wall_flux(rates, wall_forces, images_, parts_.walls, records_, model_);
+    add_gravity(rates, particles, model_.gravity);
+}
+
+/// Waits for what the halo copies' owners have sent after the last stage, if they have.
+template<int D> void FluidStep<D>::complete_state(Particles<D>& particles)
+{
+    const auto scope = parts_.timers.scope("halo: wait for the state");
+    parts_.domain.finish_state(particles);
+    update_derived(particles, model_.eos, split_.halo);
+}
+
+template<int D> void FluidStep<D>::complete_gradients(Particles<D>& particles)
+{
+    const auto scope = parts_.timers.scope("halo: wait for gradients");
+    parts_.domain.finish_gradients(particles);
 }
 
 template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
@@ -134,6 +167,7 @@ template<int D> void FluidStep<D>::prepare_walls(const Particles<D>& particles)
 template<int D> void FluidStep<D>::redistribute(Particles<D>& particles)
 {
     const auto scope = parts_.timers.scope("migration and halo");
+    complete_state(particles);
     report_work(particles);
     parts_.outflow.remove(particles);
     parts_.domain.redistribute(particles);
@@ -146,7 +180,7 @@ template<int D> void FluidStep<D>::report_work(const Particles<D>& particles)
 {
     if (!evaluated_) return;
     const double measured = meter_.calibrate(parts_.domain.comm());
-    const auto costs = work_costs(meter_, in_reach_.rows(), parts_.walls.contacts());
+    const auto costs = work_costs(meter_, in_reach_.reached(), parts_.walls.contacts());
     parts_.domain.record_work(particles, costs, measured);
     evaluated_ = false;
 }
@@ -159,6 +193,7 @@ template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)
     parts_.search.build(
         particles, {.concerns = [&](const Vec<D>& x) { return walls.may_separate(x); },
                     .lets_pass = [&](const Vec<D>& x_i, const Vec<D>& x_j) { return walls.may_interact(x_i, x_j); }});
+    split_.find(parts_.search.list(), particles.is_owned);
     redistributed_ = false;
     ++rebuilds_;
 }

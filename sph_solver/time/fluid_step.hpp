@@ -27,8 +27,9 @@ template<int D> struct FluidParts {
 
 /// One time step of the fluid.
 ///
-/// Between steps the conserved fields of owned and halo particles and all that follows from them without a neighbour
-/// sum (velocity, density, pressure, sound speed) are up to date.
+/// Between steps the conserved fields of the owned particles and all that follows from them without a neighbour sum
+/// (velocity, density, pressure, sound speed) are up to date; what the halo copies need is on its way. Within a step the
+/// rows that need no halo copy are worked on while messages travel.
 template<int D> class FluidStep {
 public:
     FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
@@ -64,6 +65,13 @@ private:
     };
 
     Measured measure(const char* name, Work kind) { return {parts_.timers.scope(name), meter_.measure(kind)}; }
+    void find_planes(const Particles<D>& particles);
+    void first_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
+    void first_pass_at_walls(Particles<D>& particles);
+    void second_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
+    void second_pass_at_walls(const Particles<D>& particles);
+    void complete_state(Particles<D>& particles);
+    void complete_gradients(Particles<D>& particles);
     void report_work(const Particles<D>& particles);
     void refresh_neighbourhood(const Particles<D>& particles, double dt);
     bool lists_hold(const Particles<D>& particles, double dt) const;
@@ -81,6 +89,7 @@ private:
     WallImages<D> images_;
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
+    RowSplit split_;
     WorkMeter meter_;
     bool evaluated_ = false;     ///< there is work to report
     bool settled_ = false;       ///< settle was called for the coming step

@@ -146,8 +146,10 @@ TEST(Domain, RefreshBringsTheOwnersValuesToEveryCopy)
         particles.mass[i] = from_id(particles.id[i]);
         particles.velocity_gradient[i].setConstant(from_id(particles.id[i]));
     }
-    domain.refresh_state(particles);
-    domain.refresh_gradients(particles);
+    domain.start_state(particles);
+    domain.finish_state(particles);
+    domain.start_gradients(particles);
+    domain.finish_gradients(particles);
     for (std::size_t i = 0; i < particles.size(); ++i) {
         EXPECT_EQ(particles.mass[i], from_id(particles.id[i]));
         EXPECT_EQ(particles.velocity_gradient[i](1, 0), from_id(particles.id[i]));
@@ -175,7 +177,8 @@ TEST(Domain, FewerBlocksThanRanksLeaveRanksEmpty)
     search.build(particles);
     EXPECT_EQ(search.list().indices.size(), 0U);
     EXPECT_EQ(world().sum(static_cast<std::int64_t>(particles.owned.size())), 2);
-    domain.refresh_state(particles);
+    domain.start_state(particles);
+    domain.finish_state(particles);
 }
 
 TEST(Domain, WaterThatRunsAwayIsCutAnew)
