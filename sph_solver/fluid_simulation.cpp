@@ -3,6 +3,7 @@
 
 #include "sph_solver/output/state_hash.hpp"
 #include "sph_solver/setup/initial_state.hpp"
+#include "sph_solver/setup/make_model.hpp"
 #include "sph_solver/setup/rigid_walls.hpp"
 
 namespace sph {

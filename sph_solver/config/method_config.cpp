@@ -53,9 +53,15 @@ base::Table<NumericsConfig> numerics_table()
 {
     return base::Table<NumericsConfig>("the method")
         .key("limiter", &NumericsConfig::limiter,
-             {.doc = "MUSCL slope limiter; none: unlimited slopes; first_order: no slopes",
-              .choices = {"van_albada", "none", "first_order"}})
-        .key("riemann", &NumericsConfig::riemann, {.doc = "Riemann solver", .choices = {"exact"}})
+             {.doc = "MUSCL slope limiter; van_leer: less dissipation, more noise; none: unlimited slopes; first_order: no slopes",
+              .choices = {"van_albada", "van_leer", "none", "first_order"}})
+        .key("riemann", &NumericsConfig::riemann,
+             {.doc = "Riemann solver; two_rarefaction: without shocks; acoustic: linear, not for violent flow",
+              .choices = {"exact", "two_rarefaction", "acoustic"}})
+        .key("face_motion", &NumericsConfig::face_motion,
+             {.doc = "faces between particles move with the pair's mean velocity, and mass is exchanged; or with the fluid: "
+                     "each particle keeps its mass",
+              .choices = {"mean", "fluid"}})
         .key("integrator", &NumericsConfig::integrator,
              {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order",
               .choices = {"rk2", "rk3", "rk4"}});

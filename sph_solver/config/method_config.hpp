@@ -41,6 +41,7 @@ struct LiquidConfig {
 struct NumericsConfig {
     std::string limiter = "van_albada";
     std::string riemann = "exact";
+    std::string face_motion = "mean";
     std::string integrator = "rk2";
 };
 

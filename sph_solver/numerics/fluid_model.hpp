@@ -2,8 +2,10 @@
 #pragma once
 
 #include "sph_solver/numerics/equation_of_state.hpp"
+#include "sph_solver/numerics/face_motion.hpp"
 #include "sph_solver/numerics/kernel.hpp"
 #include "sph_solver/numerics/limiter.hpp"
+#include "sph_solver/numerics/riemann.hpp"
 #include "sph_solver/numerics/vector.hpp"
 
 namespace sph {
@@ -14,6 +16,8 @@ template<int D> struct FluidModel {
     Tait eos;
     Limiter limiter;                 ///< van Albada unless the user says otherwise
     Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
+    Riemann riemann = ExactRiemann{};
+    FaceMotion face_motion = MeanMotion{};
 };
 
 } // namespace sph

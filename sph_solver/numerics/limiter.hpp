@@ -48,6 +48,28 @@ private:
     static constexpr double tiny = 1e-70; // far below the square of any jump's rounding error
 };
 
+/// van Leer: phi = 2 d u / (d + u) where d u > 0, else 0. Steeper than van Albada where the two jumps differ: less
+/// dissipation, more noise.
+struct VanLeer {
+    template<class T> T factor(T d_dot_u, T sum_of_squares) const
+    {
+        const T twice = 2.0 * maximum(d_dot_u, T{});
+        return twice / (sum_of_squares + twice + tiny);
+    }
+    template<class T>
+    [[gnu::always_inline]] std::array<T, 4> factors(std::array<T, 4> d_dot_u, std::array<T, 4> sum_of_squares) const
+    {
+        for (std::size_t k = 0; k < 4; ++k) {
+            d_dot_u[k] = 2.0 * maximum(d_dot_u[k], T{});
+            sum_of_squares[k] = sum_of_squares[k] + d_dot_u[k] + tiny;
+        }
+        return quotients(d_dot_u, sum_of_squares);
+    }
+
+private:
+    static constexpr double tiny = 1e-70;
+};
+
 /// No limiter, key "none": the plain linear reconstruction f_L = f_i + s/2. For smooth flows and for studies: it
 /// overshoots at jumps.
 struct Unlimited {
@@ -65,6 +87,6 @@ struct FirstOrder {
 };
 
 /// The limiter that a run uses, chosen in setup; loops over pairs are compiled for each of them (std::visit).
-using Limiter = std::variant<VanAlbada, Unlimited, FirstOrder>;
+using Limiter = std::variant<VanAlbada, VanLeer, Unlimited, FirstOrder>;
 
 } // namespace sph

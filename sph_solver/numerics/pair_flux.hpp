@@ -48,7 +48,7 @@ PairFlux<D> pair_flux(const PrimitiveState<D>& left, const PrimitiveState<D>& ri
     const RatioView<double> q{left.density / eos.rho0, right.density / eos.rho0,
                               left.density_gradient.dot(x_ij) / eos.rho0, right.density_gradient.dot(x_ij) / eos.rho0};
 
-    const StarState<double> star = solve_riemann_scaled(reconstruct_face(pair, q, 1.0 / eos.c0, limiter));
+    const StarState<double> star = ExactRiemann{}(reconstruct_face(pair, q, 1.0 / eos.c0, limiter));
     PairFlux<D> flux;
     flux.pressure = eos.pressure_at_ratio(star.q);
     if (wall) return flux;

@@ -6,9 +6,9 @@
 namespace sph {
 namespace {
 
-/// The same sums as FluxSums, eight neighbours side by side: mass, by_mass, by_pressure.
+/// The same sums as FluxSums, eight neighbours side by side: mass, by_mass, by_pressure, volume.
 template<int D> struct FluxPacks {
-    std::array<Pack, 2 * D + 1> sums{};
+    std::array<Pack, 2 * D + 2> sums{};
 
     [[gnu::always_inline]] inline void write(FluxSums<D>& result) const
     {
@@ -18,6 +18,7 @@ template<int D> struct FluxPacks {
             result.by_mass[static_cast<int>(a)] = total[1 + a];
             result.by_pressure[static_cast<int>(a)] = total[1 + D + a];
         }
+        result.volume = total[1 + 2 * D];
     }
 };
 
@@ -60,13 +61,13 @@ public:
     bool full() const { return size_ >= filled || row_count_ == rows_.size(); }
 
     /// 2. Solves the Riemann problems. 3. Sums what crosses the faces of each particle. The batch is empty then.
-    template<class AnyLimiter> void solve(AnyLimiter limiter)
+    template<class AnyLimiter, class Motion> void solve(AnyLimiter limiter, Motion motion)
     {
-        for (std::size_t n = 0; n < size_; ++n) stars_[n] = solve_riemann_scaled(faces_[n]);
+        std::visit([this](auto riemann) { solve_riemann_problems(riemann); }, model_.riemann);
         std::size_t n = 0;
         for (std::size_t row = 0; row < row_count_; ++row) {
             FluxPacks<D> packs;
-            for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter);
+            for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter, motion);
             packs.write(*rows_[row].sums);
         }
         size_ = 0;
@@ -108,20 +109,27 @@ private:
         frames_[size_++] = face_frame<D>(pair, mean_velocity);
     }
 
-    template<class AnyLimiter>
-    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& packs, std::size_t n, AnyLimiter limiter) const
+    template<class AnyRiemann> void solve_riemann_problems(AnyRiemann riemann)
+    {
+        for (std::size_t n = 0; n < size_; ++n) stars_[n] = riemann(faces_[n]);
+    }
+
+    template<class AnyLimiter, class Motion>
+    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& packs, std::size_t n, AnyLimiter limiter,
+                                                Motion motion) const
     {
         const Tait& eos = model_.eos;
         const FaceFrame<D, Pack>& frame = frames_[n];
-        const Pack u = eos.c0 * stars_[n].u;
-        const auto velocity = face_velocity(frame, u, limiter);
-        const Pack mass_flux = area_[n] * (eos.rho0 * stars_[n].q * u);
+        const auto transport = motion(eos.c0 * stars_[n].u);
         const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * frame.inverse_distance;
         auto& sums = packs.sums;
-        sums[0] -= mass_flux;
-        for (std::size_t a = 0; a < D; ++a) {
-            sums[1 + a] = multiply_add(-mass_flux, velocity[a], sums[1 + a]);
-            sums[1 + D + a] = multiply_add(-pressure, frame.x[a], sums[1 + D + a]);
+        for (std::size_t a = 0; a < D; ++a) sums[1 + D + a] = multiply_add(-pressure, frame.x[a], sums[1 + D + a]);
+        if constexpr (Motion::sweeps_volume) sums[1 + 2 * D] = multiply_add(area_[n], transport.sweep, sums[1 + 2 * D]);
+        if constexpr (Motion::exchanges_mass) {
+            const auto velocity = face_velocity(frame, transport.relative, limiter);
+            const Pack mass_flux = area_[n] * (eos.rho0 * stars_[n].q * transport.relative);
+            sums[0] -= mass_flux;
+            for (std::size_t a = 0; a < D; ++a) sums[1 + a] = multiply_add(-mass_flux, velocity[a], sums[1 + a]);
         }
     }
 
@@ -135,16 +143,16 @@ private:
     std::vector<StarState<Pack>> stars_;
 };
 
-template<int D, class AnyLimiter>
+template<int D, class AnyLimiter, class Motion>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter)
+                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion)
 {
     FaceBatch<D> batch(records, neighbours, model);
     rows.for_each([&](std::size_t k, int i) {
         batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter);
-        if (batch.full()) batch.solve(limiter);
+        if (batch.full()) batch.solve(limiter, motion);
     });
-    batch.solve(limiter);
+    batch.solve(limiter, motion);
 }
 
 } // namespace
@@ -154,10 +162,12 @@ void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords
                           const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
 {
     sums.resize(rows.all());
-    std::visit([&](auto limiter) { sum_fluxes(sums, records, neighbours, rows, model, limiter); }, model.limiter);
+    std::visit([&](auto limiter, auto motion) { sum_fluxes(sums, records, neighbours, rows, model, limiter, motion); },
+               model.limiter, model.face_motion);
     rows.for_each([&](std::size_t k, int particle) {
         const auto i = static_cast<std::size_t>(particle);
         rates.mass[i] += sums[k].mass;
+        rates.volume[i] += sums[k].volume;
         rates.momentum[i] += sums[k].by_mass + sums[k].by_pressure;
     });
 }

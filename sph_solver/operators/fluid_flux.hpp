@@ -12,7 +12,7 @@ namespace sph {
 /// Pass 2 over the neighbours: mass and momentum that each owned particle gets from its fluid pairs, MUSCL and exact
 /// Riemann solver at a face half-way (numerics/pair_flux.hpp), with S = 2 w_i w_j |W'|:
 ///
-///     dm_i/dt = -sum S mf,   dP_i/dt = -sum S (mf v_e + p_e n)
+///     dm_i/dt = -sum S mf,   dP_i/dt = -sum S (mf v_e + p_e n),   dw_i/dt += sum S u_face
 ///
 /// Every particle sums its own full row in the list's order, so that its result does not depend on the partition; the
 /// pair seen from the other side gives the exactly opposite flux. Adds to `rates` and makes `sums`

@@ -57,7 +57,7 @@ public:
             const std::size_t count = std::min(batch, (group.end - begin) / pack_size);
             for (std::size_t n = 0; n < count; ++n)
                 reconstruct(n, begin + n * pack_size, i, path, group.own_first && begin + n == group.begin, limiter);
-            for (std::size_t n = 0; n < count; ++n) stars_[n] = solve_riemann_scaled(faces_[n]).q;
+            std::visit([&](auto riemann) { solve_riemann_problems(riemann, count); }, model_.riemann);
             for (std::size_t n = 0; n < count; ++n) {
                 const Pack pressure = area_[n] * model_.eos.pressure_at_ratio(stars_[n]);
                 for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pressure, x_[n][a], sum[a]);
@@ -70,6 +70,11 @@ public:
 
 private:
     static constexpr std::size_t batch = 8; // packs
+
+    template<class AnyRiemann> void solve_riemann_problems(AnyRiemann riemann, std::size_t count)
+    {
+        for (std::size_t n = 0; n < count; ++n) stars_[n] = riemann(faces_[n]).q;
+    }
 
     template<class AnyLimiter>
     [[gnu::always_inline]] inline void reconstruct(std::size_t n, std::size_t at, int i, const MirrorPath<D>& path,

@@ -12,13 +12,6 @@ namespace {
 
 template<int D> Vec<D> to_vec(const std::vector<double>& numbers) { return Eigen::Map<const Vec<D>>(numbers.data()); }
 
-Limiter make_limiter(const std::string& name)
-{
-    if (name == "none") return Unlimited{};
-    if (name == "first_order") return FirstOrder{};
-    return VanAlbada{};
-}
-
 template<int D> using Bodies = std::vector<std::unique_ptr<WaterBody<D>>>;
 
 /// Two boxes that share more than a sliver of space would start with particles on top of each other.
@@ -140,13 +133,6 @@ private:
 
 } // namespace
 
-template<int D> FluidModel<D> make_model(const FluidConfig& config)
-{
-    return {CubicSpline<D>(config.resolution.smoothing_length()),
-            Tait{config.liquid.density, config.liquid.sound_speed}, make_limiter(config.numerics.limiter),
-            to_vec<D>(config.domain.gravity)};
-}
-
 template<int D>
 Particles<D> initial_particles(const FluidConfig& config, const FluidModel<D>& model, const base::Communicator& comm)
 {
@@ -158,8 +144,6 @@ Particles<D> initial_particles(const FluidConfig& config, const FluidModel<D>& m
     return particles;
 }
 
-template FluidModel<2> make_model(const FluidConfig&);
-template FluidModel<3> make_model(const FluidConfig&);
 template Particles<2> initial_particles(const FluidConfig&, const FluidModel<2>&, const base::Communicator&);
 template Particles<3> initial_particles(const FluidConfig&, const FluidModel<3>&, const base::Communicator&);
 

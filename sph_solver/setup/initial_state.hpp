@@ -9,9 +9,6 @@
 
 namespace sph {
 
-/// What the method's formulas have in common, from the configuration.
-template<int D> FluidModel<D> make_model(const FluidConfig& config);
-
 /// This rank's share of the water at the start: conserved fields of owned particles, m = rho w and P = m v.
 ///
 /// Particles are numbered through the bodies of water in the file's order; a number does not depend on the ranks. The

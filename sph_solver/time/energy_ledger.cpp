@@ -33,7 +33,7 @@ void EnergyLedger<D>::observe(const Particles<D>& particles, const Walls<D>& wal
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const FluxSums<D>& flux = evaluation.fluxes[k];
         const Vec<D>& v = particles.velocity[i];
-        const double volume_rate = particles.volume[i] * evaluation.gradient_sums[k].fluid_divergence;
+        const double volume_rate = particles.volume[i] * evaluation.gradient_sums[k].fluid_divergence + flux.volume;
         const double carried = model_.eos.specific_enthalpy(particles.density[i]) - 0.5 * v.squaredNorm() -
                                model_.gravity.dot(particles.position[i]);
         riemann_.add(share * (particles.pressure[i] * volume_rate - v.dot(flux.by_pressure)));

@@ -48,6 +48,20 @@ TEST(VanAlbada, FourAtOnceAreThoseOfEach)
     EXPECT_EQ(four[2], swapped[3]);
 }
 
+TEST(VanLeer, IsTheTextbookFormula)
+{
+    for (const double a : {0.3, 1.0, 7.0})
+        for (const double b : {0.01, 1.0, 3.0}) {
+            EXPECT_NEAR(phi<VanLeer>(a, b), 2 * a * b / (a + b), 1e-13);
+            EXPECT_NEAR(phi<VanLeer>(-a, -b), -2 * a * b / (a + b), 1e-13);
+            EXPECT_EQ(phi<VanLeer>(a, -b), 0.0);
+            EXPECT_GE(phi<VanLeer>(a, b), phi<VanAlbada>(a, b) - 1e-15);
+            const double p = a * b, q = a * a + b * b;
+            EXPECT_NEAR(VanLeer{}.factors(std::array{p, -p, p, p}, std::array{q, q, 2 * q, q})[3], VanLeer{}.factor(p, q),
+                        1e-15);
+        }
+}
+
 TEST(VanAlbada, NeverExceedsTheMean)
 {
     for (double u = -3; u < 3; u += 0.01) EXPECT_LE(phi<VanAlbada>(1.0, u), std::max(0.5 * (1.0 + u), 0.0) + 1e-15);

@@ -105,13 +105,43 @@ TEST(Riemann, PackGivesTheSameBits)
 {
     const FaceStates<Pack> faces{
         {1.0, 1.01, 0.99, 1.2}, {0.1, -0.02, 0.3, 0.0}, {1.0, 0.98, 1.01, 0.9}, {-0.1, 0.01, 0.2, 0.0}};
-    const auto packed = solve_riemann_scaled(faces);
+    const auto packed = ExactRiemann{}(faces);
     for (int k = 0; k < pack_size; ++k) {
         const auto one =
-            solve_riemann_scaled(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
+            ExactRiemann{}(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
         EXPECT_EQ(packed.q[k], one.q);
         EXPECT_EQ(packed.u[k], one.u);
     }
+}
+
+/// Largest difference to the exact pressure over rho0 c0^2, for two streams that meet or part at `jump` c0.
+template<class Solver> double pressure_error(double jump)
+{
+    const FaceStates<double> face{1.0, 0.5 * jump, 1.0, -0.5 * jump};
+    return std::abs(water.pressure_at_ratio(Solver{}(face).q) - water.pressure_at_ratio(ExactRiemann{}(face).q)) /
+           (water.rho0 * water.c0 * water.c0);
+}
+
+TEST(Riemann, SimplerSolversAgreeForWeakWavesAndDifferForStrongOnes)
+{
+    for (const double sign : {1.0, -1.0}) {
+        EXPECT_LT(pressure_error<TwoRarefactionRiemann>(sign * 1e-3), 1e-10); // third order: (2/3) (jump/2)^3 = 8.3e-11
+        EXPECT_LT(pressure_error<AcousticRiemann>(sign * 1e-3), 1e-6);
+    }
+    EXPECT_LT(pressure_error<TwoRarefactionRiemann>(-0.1), 1e-12); // two rarefactions indeed
+    EXPECT_GT(pressure_error<TwoRarefactionRiemann>(0.1), 1e-5);
+    EXPECT_GT(pressure_error<AcousticRiemann>(0.1), 1e-3);
+}
+
+TEST(Riemann, SimplerSolversAreMirrorSymmetric)
+{
+    const FaceStates<double> face{1.01, 0.02, 0.99, -0.01}, mirror{0.99, 0.01, 1.01, -0.02};
+    const auto check = [&](auto solver) {
+        EXPECT_EQ(solver(face).q, solver(mirror).q);
+        EXPECT_EQ(solver(face).u, -solver(mirror).u);
+    };
+    check(TwoRarefactionRiemann{});
+    check(AcousticRiemann{});
 }
 
 } // namespace

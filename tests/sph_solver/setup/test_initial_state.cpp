@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/foundation/check.hpp"
 #include "sph_solver/setup/initial_state.hpp"
+#include "sph_solver/setup/make_model.hpp"
 
 #include <algorithm>
 #include <cmath>

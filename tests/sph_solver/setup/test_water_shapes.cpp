@@ -2,6 +2,7 @@
 #include "coupler_lib/base/hdf5_file.hpp"
 #include "coupler_lib/foundation/check.hpp"
 #include "sph_solver/setup/initial_state.hpp"
+#include "sph_solver/setup/make_model.hpp"
 #include "sph_solver/setup/water_body.hpp"
 
 #include <cmath>
