@@ -145,7 +145,8 @@ TEST(FluidFlux, FacesThatMoveWithTheFluidSweepVolumeAndPassNoMass)
     const auto with_mass = flow.fluxes;
     flow.model.face_motion = FluidMotion{};
     flow.rates.reset(flow.particles.size());
-    add_fluid_fluid_flux(flow.rates, flow.fluxes, flow.records, flow.neighbours, RowSet(flow.particles.owned), flow.model);
+    add_fluid_fluid_flux(flow.rates, flow.fluxes, flow.records, flow.neighbours, RowSet(flow.particles.owned),
+                         flow.model);
     double volume = 0, scale = 0;
     for (std::size_t i = 0; i < flow.particles.size(); ++i) {
         const double expected = plain_sum(flow, i, VanAlbada{}).volume;
@@ -167,7 +168,8 @@ TEST(FluidFlux, SkinOfTheListAddsNothing)
     const Rates<2> before = flow.rates;
     flow.neighbours = sample::reached_neighbours(flow.particles, flow.model.kernel.support());
     flow.rates.reset(flow.particles.size());
-    add_fluid_fluid_flux(flow.rates, flow.fluxes, flow.records, flow.neighbours, RowSet(flow.particles.owned), flow.model);
+    add_fluid_fluid_flux(flow.rates, flow.fluxes, flow.records, flow.neighbours, RowSet(flow.particles.owned),
+                         flow.model);
     for (std::size_t i = 0; i < flow.particles.size(); ++i)
         EXPECT_LT((flow.rates.momentum[i] - before.momentum[i]).norm(), 1e-12 * before.momentum[i].norm());
 }
