@@ -9,6 +9,7 @@ stand in expect.toml now. Ends with 1 when a judged figure misses, 2 for bad inp
 """
 import argparse
 import json
+import re
 import shutil
 import sys
 import time
@@ -67,7 +68,7 @@ def verify_case(folder: Path, chosen, arguments) -> list[dict]:
             records.append(finding.as_record() | facts)
 
     for planned in chosen:
-        out = arguments.out / title(folder) / planned.name.replace(" ", "_")
+        out = arguments.out / title(folder) / re.sub(r"[^\w.+-]+", "_", planned.name)
         print(f"== {title(folder)}: {planned.name}", flush=True)
         run, facts = made(planned, arguments.programs, out)
         runs[planned.name] = run
