@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sph_solver/numerics/pack.hpp"
 #include "sph_solver/numerics/vector.hpp"
 
 #include <algorithm>
@@ -15,27 +16,18 @@
 #endif
 
 /// \file
-/// Which of many points are close to one? Eight are compared at a time; the indices of those that pass are packed to
+/// Which of many points are close to one? Pack are compared at a time; the indices of those that pass are packed to
 /// the left in a register where the processor can (AVX-512), else one by one. Nothing but speed depends on it.
 namespace sph {
 
 /// What a selection may write beyond the last index that it keeps.
-inline constexpr std::size_t selection_overhang = 8;
+inline constexpr std::size_t selection_overhang = pack_size;
 
-/// Eight numbers, or eight indices, side by side.
-using Eight = double __attribute__((vector_size(64)));
-using EightIndices = int __attribute__((vector_size(32)));
-
-inline Eight load_eight(const double* from)
-{
-    Eight numbers;
-    std::memcpy(&numbers, from, sizeof numbers);
-    return numbers;
-}
+using PackIndices = int __attribute__((vector_size(pack_size * sizeof(int))));
 
 /// Writes those of the first `count` indices whose number is below the limit and which are not `excluded`. Returns the
 /// end of what it has kept; always writes eight.
-[[gnu::always_inline]] inline int* keep_below(Eight number, double limit, EightIndices indices, int excluded, int count,
+[[gnu::always_inline]] inline int* keep_below(Pack number, double limit, PackIndices indices, int excluded, int count,
                                               int* out)
 {
 #if defined(__AVX512F__) && defined(__AVX512VL__)
@@ -59,7 +51,7 @@ template<int D> class PointColumns {
 public:
     void load(const std::vector<Vec<D>>& points)
     {
-        for (std::size_t d = 0; d < D; ++d) columns_[d].resize(points.size() + 8);
+        for (std::size_t d = 0; d < D; ++d) columns_[d].resize(points.size() + pack_size);
         for (std::size_t i = 0; i < points.size(); ++i)
             for (std::size_t d = 0; d < D; ++d) columns_[d][i] = points[i][static_cast<int>(d)];
     }
@@ -74,13 +66,13 @@ public:
             column[d] = columns_[d].data();
             x_i[d] = column[d][i];
         }
-        for (int j = begin; j < end; j += 8) {
-            Eight square{};
+        for (int j = begin; j < end; j += pack_size) {
+            Pack square{};
             for (std::size_t d = 0; d < D; ++d) {
-                const Eight x = load_eight(column[d] + j) - x_i[d];
+                const Pack x = load_pack(column[d] + j) - x_i[d];
                 square = d == 0 ? x * x : square + x * x;
             }
-            out = keep_below(square, limit, EightIndices{0, 1, 2, 3, 4, 5, 6, 7} + j, i, end - j, out);
+            out = keep_below(square, limit, PackIndices{0, 1, 2, 3, 4, 5, 6, 7} + j, i, end - j, out);
         }
         return out;
     }
@@ -108,8 +100,8 @@ public:
     int* select(int i, double limit, std::span<const int> listed, int* out) const
     {
         std::size_t n = 0;
-        for (; n + 8 <= listed.size(); n += 8) {
-            EightIndices indices;
+        for (; n + pack_size <= listed.size(); n += pack_size) {
+            PackIndices indices;
             std::memcpy(&indices, listed.data() + n, sizeof indices);
             out = keep_below(squares(i, listed.data() + n), limit, indices, i, 8, out);
         }
@@ -126,7 +118,7 @@ private:
     };
 
     /// |x_j - x_i|^2 of eight points.
-    [[gnu::always_inline]] inline Eight squares(int i, const int* j) const;
+    [[gnu::always_inline]] inline Pack squares(int i, const int* j) const;
     [[nodiscard]] double square(int i, int j) const
     {
         double sum = 0;
@@ -140,12 +132,8 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Lanes 0, 2, 4, 6 of both in turn; and lanes 1, 3, 5, 7.
-inline Eight even_of(Eight a, Eight b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
-inline Eight odd_of(Eight a, Eight b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
-
 /// Four points in a register (x y x y ...), the even and the odd ones; their squares are then sorted in columns.
-template<> inline Eight PointRows<2>::squares(int i, const int* j) const
+template<> inline Pack PointRows<2>::squares(int i, const int* j) const
 {
     using Two = double __attribute__((vector_size(16)));
     const auto row = [this](int k) {
@@ -158,14 +146,14 @@ template<> inline Eight PointRows<2>::squares(int i, const int* j) const
                                        __builtin_shufflevector(c, d, 0, 1, 2, 3), 0, 1, 2, 3, 4, 5, 6, 7);
     };
     const Two x_i = row(i);
-    const Eight from = four(x_i, x_i, x_i, x_i);
-    const Eight even = four(row(j[0]), row(j[2]), row(j[4]), row(j[6])) - from;
-    const Eight odd = four(row(j[1]), row(j[3]), row(j[5]), row(j[7])) - from;
-    return even_of(even * even, odd * odd) + odd_of(even * even, odd * odd);
+    const Pack from = four(x_i, x_i, x_i, x_i);
+    const Pack even = four(row(j[0]), row(j[2]), row(j[4]), row(j[6])) - from;
+    const Pack odd = four(row(j[1]), row(j[3]), row(j[5]), row(j[7])) - from;
+    return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
 }
 
 /// Two points in a register (x y z 0 x y z 0), four times; x + y and z of a half of the points meet in one register.
-template<> inline Eight PointRows<3>::squares(int i, const int* j) const
+template<> inline Pack PointRows<3>::squares(int i, const int* j) const
 {
     using Four = double __attribute__((vector_size(32)));
     const auto row = [this](int k) {
@@ -174,16 +162,15 @@ template<> inline Eight PointRows<3>::squares(int i, const int* j) const
         return x;
     };
     const auto two = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); };
-    const Eight from = two(row(i), row(i));
+    const Pack from = two(row(i), row(i));
     const auto half = [&](int a, int b, int c, int d) {
-        const Eight even = two(row(a), row(c)) - from;
-        const Eight odd = two(row(b), row(d)) - from;
-        return even_of(even * even, odd * odd) + odd_of(even * even, odd * odd);
+        const Pack even = two(row(a), row(c)) - from;
+        const Pack odd = two(row(b), row(d)) - from;
+        return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
     };
-    const Eight first = half(j[0], j[1], j[2], j[3]);
-    const Eight second = half(j[4], j[5], j[6], j[7]);
-    return __builtin_shufflevector(first, second, 0, 1, 4, 5, 8, 9, 12, 13) +
-           __builtin_shufflevector(first, second, 2, 3, 6, 7, 10, 11, 14, 15);
+    const Pack first = half(j[0], j[1], j[2], j[3]);
+    const Pack second = half(j[4], j[5], j[6], j[7]);
+    return even_pieces(first, second) + odd_pieces(first, second);
 }
 
 } // namespace sph

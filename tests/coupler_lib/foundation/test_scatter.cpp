@@ -34,6 +34,13 @@ TEST(Scatter, BringsTheOwnersValuesToTheHalo)
     }
     EXPECT_EQ(density[0], mine);
     EXPECT_EQ(density[3], 10 + mine);
+
+    scatter.start(density); // what was sent is sent, whatever happens to it before the end
+    density[3] = -7;
+    density[1] = -7;
+    scatter.finish(density);
+    EXPECT_EQ(density[1], 10 + plan.neighbours[0]);
+    EXPECT_EQ(density[3], -7);
 }
 
 }  // namespace

@@ -1,40 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The same random particles on all ranks, each takes a share; what the ranks then find together must be what one rank
 // finds alone, to the last bit.
-#include "sph_solver/neighbours/neighbour_search.hpp"
-#include "sph_solver/parallel/domain.hpp"
-#include "tests/sph_solver/support/random_particles.hpp"
+#include "sph_solver/neighbours/row_set.hpp"
+#include "tests/sph_solver/parallel/rank_share.hpp"
+#include "tests/sph_solver/support/sample_fluid.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <numeric>
 
 namespace sph {
 namespace {
-
-const base::Communicator& world()
-{
-    static const base::Communicator comm = base::Communicator::world();
-    return comm;
-}
-
-/// Every `size`-th particle: an initial distribution that has nothing to do with space.
-template<int D> Particles<D> share(Particles<D> all)
-{
-    std::vector<std::uint8_t> mine(all.size(), 0);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        mine[i] = static_cast<int>(i) % world().size() == world().rank() ? 1 : 0;
-    keep_particles(all, mine);
-    return all;
-}
-
-/// As if a particle cost a nanosecond for each neighbour.
-template<int D> void record_neighbours(Domain<D>& domain, const Particles<D>& particles, const NeighbourList& list)
-{
-    std::vector<double> costs;
-    for (std::size_t k = 0; k < list.rows(); ++k) costs.push_back(1e-9 * static_cast<double>(list.of(k).size()));
-    domain.record_work(particles, costs, std::accumulate(costs.begin(), costs.end(), 0.0));
-}
 
 struct Sum {
     std::int64_t id;
@@ -111,6 +86,88 @@ TEST(Domain, NeighbourSumsAreTheSameToTheLastBitOnAnyNumberOfRanks2D) { expect_r
 
 TEST(Domain, NeighbourSumsAreTheSameToTheLastBitOnAnyNumberOfRanks3D) { expect_rank_invariance<3>(1200, 0.1); }
 
+/// The neighbours of each particle, by id in ascending order, on all ranks together.
+template<int D> std::vector<std::pair<std::int64_t, std::int64_t>> pairs_by_id(const Particles<D>& particles, const NeighbourList& list)
+{
+    std::vector<std::pair<std::int64_t, std::int64_t>> pairs;
+    for (std::size_t k = 0; k < list.rows(); ++k)
+        for (const int j : list.of(k))
+            pairs.emplace_back(particles.id[static_cast<std::size_t>(particles.owned[k])],
+                               particles.id[static_cast<std::size_t>(j)]);
+    return pairs;
+}
+
+template<int D> void expect_brute_force(int count, double support)
+{
+    const Particles<D> all = testing::random_particles<D>(count);
+    Particles<D> particles = share(all);
+    NeighbourSearch<D> search(support, 0.2 * support);
+    Domain<D> domain(world(), search.grid());
+    domain.redistribute(particles);
+    search.build(particles);
+    struct Pair {
+        std::int64_t i, j;
+    };
+    std::vector<Pair> mine;
+    for (const auto& [i, j] : pairs_by_id(particles, search.list())) mine.push_back({i, j});
+    std::vector<std::pair<std::int64_t, std::int64_t>> found;
+    for (const Pair& pair : world().gather_all(mine)) found.emplace_back(pair.i, pair.j);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, pairs_by_id(all, sample::brute_force_neighbours(all, search.reach())));
+}
+
+TEST(Domain, NeighboursOnAllRanksAreThoseOfBruteForce)
+{
+    expect_brute_force<2>(700, 0.06);
+    expect_brute_force<3>(700, 0.15);
+}
+
+/// The halo is what lies within reach of a block of mine, and no more.
+TEST(Domain, HaloIsThatOfBruteForce)
+{
+    const Particles<2> all = testing::random_particles<2>(900);
+    Particles<2> particles = share(all);
+    const double reach = 0.07;
+    Domain<2> domain(world(), CellGrid<2>(reach));
+    domain.redistribute(particles);
+    std::size_t wanted = 0;
+    for (const Vec<2>& x : all.position) {
+        const auto cell = domain.blocks().grid().cell_of(x);
+        if (domain.blocks().owner(CellGrid<2>::key(cell)) == world().rank()) continue;
+        bool near = false;
+        for (int n = 0; n < 9; ++n) {
+            const std::array<int, 2> other = {cell[0] + n % 3 - 1, cell[1] + n / 3 - 1};
+            if (domain.blocks().owner(CellGrid<2>::key(other)) != world().rank()) continue;
+            const Vec<2> low(other[0] * reach, other[1] * reach);
+            const Vec<2> nearest = x.cwiseMax(low).cwiseMin(Vec<2>(low.array() + reach));
+            near = near || (x - nearest).norm() <= reach;
+        }
+        wanted += near ? 1 : 0;
+    }
+    EXPECT_EQ(particles.size() - particles.owned.size(), wanted);
+}
+
+TEST(Domain, RowsAreSplitByTheirNeedOfOthers)
+{
+    Particles<2> particles = share(testing::random_particles<2>(900));
+    NeighbourSearch<2> search(0.06, 0.0);
+    Domain<2> domain(world(), search.grid());
+    domain.redistribute(particles);
+    search.build(particles);
+    RowSplit split;
+    split.find(search.list(), particles.is_owned);
+    EXPECT_EQ(split.inner.size() + split.border.size(), particles.owned.size());
+    EXPECT_EQ(split.halo.size(), particles.size() - particles.owned.size());
+    const auto needs_others = [&](int k) {
+        const auto row = search.list().of(static_cast<std::size_t>(k));
+        return std::any_of(row.begin(), row.end(),
+                           [&](int j) { return particles.is_owned[static_cast<std::size_t>(j)] == 0; });
+    };
+    EXPECT_TRUE(std::none_of(split.inner.begin(), split.inner.end(), needs_others));
+    EXPECT_TRUE(std::all_of(split.border.begin(), split.border.end(), needs_others));
+    EXPECT_EQ(world().any(!split.border.empty()), world().size() > 1);
+}
+
 TEST(Domain, MigrationKeepsEveryParticleExactlyOnceWithAllItsFields)
 {
     const Particles<2> all = testing::random_particles<2>(500);
@@ -158,15 +215,6 @@ TEST(Domain, RefreshBringsTheOwnersValuesToEveryCopy)
     EXPECT_EQ(world().sum(copies) > 0, world().size() > 1);
 }
 
-TEST(Domain, RanksShareTheWork)
-{
-    Particles<2> particles = share(testing::random_particles<2>(4000));
-    Domain<2> domain(world(), CellGrid<2>(0.02));
-    domain.redistribute(particles);
-    const auto mine = static_cast<std::int64_t>(particles.owned.size());
-    EXPECT_LE(world().max(mine), 4000 / world().size() * 1.1 + 1);
-}
-
 TEST(Domain, FewerBlocksThanRanksLeaveRanksEmpty)
 {
     Particles<2> all = testing::random_particles<2>(2);
@@ -179,116 +227,6 @@ TEST(Domain, FewerBlocksThanRanksLeaveRanksEmpty)
     EXPECT_EQ(world().sum(static_cast<std::int64_t>(particles.owned.size())), 2);
     domain.start_state(particles);
     domain.finish_state(particles);
-}
-
-TEST(Domain, WaterThatRunsAwayIsCutAnew)
-{
-    Particles<2> particles = share(testing::random_particles<2>(2000));
-    NeighbourSearch<2> search(0.04, 0.0);
-    Domain<2> domain(world(), search.grid(), {.limit = 1.1, .rebuilds_between = 3});
-    for (int round = 0; round < 12; ++round) {
-        domain.redistribute(particles);
-        search.build(particles);
-        record_neighbours(domain, particles, search.list());
-        for (Vec<2>& x : particles.position) x *= round < 6 ? 0.9 : 1.0; // drains towards one corner
-    }
-    if (world().size() > 1) {
-        EXPECT_GT(domain.balance().cuts(), 1);
-    }
-    const auto mine = static_cast<std::int64_t>(search.list().indices.size());
-    EXPECT_LE(static_cast<double>(world().max(mine)), 1.35 * static_cast<double>(world().sum(mine)) / world().size());
-}
-
-/// Particles on a line, one a block, with the same cost each but for the first quarter, which costs `factor` times more.
-struct Line {
-    static constexpr int count = 240;
-
-    Line() : domain(world(), CellGrid<2>(0.1), {.limit = 1.1, .rebuilds_between = 2})
-    {
-        particles.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            particles.id[i] = static_cast<std::int64_t>(i);
-            particles.position[i] = {0.1 * (static_cast<double>(i) + 0.5), 0.05};
-        }
-        particles.own_all();
-        particles = share(particles);
-        domain.redistribute(particles);
-    }
-
-    /// \return this rank's cost
-    double rebuild(double factor)
-    {
-        std::vector<double> costs;
-        for (const int owned : particles.owned)
-            costs.push_back(particles.id[static_cast<std::size_t>(owned)] < count / 4 ? 1e-6 * factor : 1e-6);
-        const double mine = std::accumulate(costs.begin(), costs.end(), 0.0);
-        domain.record_work(particles, costs, mine);
-        domain.redistribute(particles);
-        return mine;
-    }
-
-    double imbalance(double mine) const { return world().max(mine) * world().size() / world().sum(mine); }
-
-    Domain<2> domain;
-    Particles<2> particles;
-};
-
-TEST(Domain, IsCutByTheMeasuredCostOfTheParticles)
-{
-    Line line;
-    for (int round = 0; round < 8; ++round) line.rebuild(9.0);
-    EXPECT_LE(line.imbalance(line.rebuild(9.0)), 1.1);
-}
-
-TEST(Domain, ACutThatPromisesNothingIsDeclined)
-{
-    Line line;
-    for (int round = 0; round < 12; ++round) { // a rank that is slow in itself: no cut can help
-        std::vector<double> costs(line.particles.owned.size(), 1e-6);
-        line.domain.record_work(line.particles, costs, world().is_root() ? 2.0 : 1.0);
-        line.domain.redistribute(line.particles);
-    }
-    if (world().size() == 1) return;
-    EXPECT_EQ(line.domain.balance().cuts(), 1);
-    EXPECT_GT(line.domain.balance().declined(), 1);
-    EXPECT_NEAR(line.domain.balance().present(), 2.0 * world().size() / (world().size() + 1.0), 1e-12);
-}
-
-TEST(Domain, ANewCutLeavesMostParticlesWhereTheyAre)
-{
-    Line line;
-    for (int round = 0; round < 8; ++round) line.rebuild(1.0);
-    std::vector<std::int64_t> before;
-    for (const int owned : line.particles.owned) before.push_back(line.particles.id[static_cast<std::size_t>(owned)]);
-    for (int round = 0; round < 8; ++round) line.rebuild(2.0);
-    std::int64_t stayed = 0;
-    for (const int owned : line.particles.owned)
-        stayed += std::binary_search(before.begin(), before.end(), line.particles.id[static_cast<std::size_t>(owned)]);
-    EXPECT_GE(world().sum(stayed), Line::count / 2);
-    EXPECT_EQ(line.domain.balance().cuts() > 1, world().size() > 1);
-}
-
-/// All water flows into the blocks of one rank, which leaves the others without; a later cut gives them some again.
-TEST(Domain, ARankThatHasRunEmptyGetsParticlesAgain)
-{
-    Particles<2> particles = share(testing::random_particles<2>(1000));
-    NeighbourSearch<2> search(0.05, 0.0);
-    Domain<2> domain(world(), search.grid(), {.limit = 1.1, .rebuilds_between = 4});
-    domain.redistribute(particles);
-    const auto box = [](const Vec<2>& x) { return Vec<2>(0.049 * x[0] + 0.0005, 0.049 * x[1] + 0.0005); };
-    for (Vec<2>& x : particles.position) x = box(x.cwiseAbs().cwiseMin(1.0)); // into one block
-    std::int64_t fewest = 1;
-    for (int round = 0; round < 12; ++round) {
-        domain.redistribute(particles);
-        search.build(particles);
-        record_neighbours(domain, particles, search.list());
-        fewest = std::min(fewest, -world().max(-static_cast<std::int64_t>(particles.owned.size())));
-        if (round == 3)
-            for (Vec<2>& x : particles.position) x = (x * 30.0).eval(); // and out again
-    }
-    EXPECT_EQ(world().sum(static_cast<std::int64_t>(particles.owned.size())), 1000);
-    EXPECT_EQ(fewest == 0, world().size() > 1);
-    EXPECT_GT(particles.owned.size(), 0U);
 }
 
 } // namespace
