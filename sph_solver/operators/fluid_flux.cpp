@@ -38,9 +38,7 @@ public:
     FaceBatch(const PairRecords<D>& records, const ReachedNeighbours& neighbours, const FluidModel<D>& model)
         : records_(records), model_(model)
     {
-        std::size_t longest = 0;
-        for (std::size_t k = 0; k < neighbours.rows(); ++k) longest = std::max(longest, neighbours.packs_of(k).size());
-        const std::size_t capacity = filled + longest / pack_size;
+        const std::size_t capacity = filled + neighbours.longest / pack_size;
         frames_.resize(capacity);
         area_.resize(capacity);
         faces_.resize(capacity);
@@ -147,6 +145,7 @@ template<int D, class AnyLimiter, class Motion>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                 const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion)
 {
+    if (rows.size() == 0) return;
     FaceBatch<D> batch(records, neighbours, model);
     rows.for_each([&](std::size_t k, int i) {
         batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter);

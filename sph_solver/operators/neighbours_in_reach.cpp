@@ -24,6 +24,7 @@ template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, 
     // A row takes up to a pack more than its candidates: the one to fill up, and the one written past the end.
     const std::size_t room = neighbours.indices.size() + (rows + 1) * pack_size;
     if (reached_.indices.size() < room) reached_.indices.resize(room);
+    reached_.longest = 0;
     next_ = 0;
 }
 
@@ -37,13 +38,17 @@ template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbour
 {
     int* const first = reached_.indices.data();
     int* out = first + next_;
+    std::size_t longest = reached_.longest;
     rows.for_each([&](std::size_t k, int i) {
         int* const end = points_.select(i, limit_, neighbours.of(k), out);
         reached_.begins[k] = static_cast<std::size_t>(out - first);
         reached_.ends[k] = static_cast<std::size_t>(end - first);
         std::fill_n(end, pack_size, i);
-        out += ReachedNeighbours::whole_packs(static_cast<std::size_t>(end - out));
+        const std::size_t length = ReachedNeighbours::whole_packs(static_cast<std::size_t>(end - out));
+        longest = std::max(longest, length);
+        out += length;
     });
+    reached_.longest = longest;
     next_ = static_cast<std::size_t>(out - first);
 }
 

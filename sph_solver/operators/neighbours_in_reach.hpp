@@ -18,6 +18,7 @@ struct ReachedNeighbours {
     std::vector<std::size_t> begins; ///< first entry of each row, a multiple of pack_size
     std::vector<std::size_t> ends;   ///< one past the last neighbour of each row
     std::vector<int> indices;        ///< local indices, rows in whole packs
+    std::size_t longest = 0;         ///< entries of the longest row, whole packs
 
     [[nodiscard]] std::size_t rows() const { return begins.size(); }
 

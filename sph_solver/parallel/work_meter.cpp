@@ -12,9 +12,9 @@ constexpr double kept = 0.8; // share of the older measurements that a new one l
 
 } // namespace
 
-void WorkMeter::add_counts(const Counts& counts)
+void WorkMeter::add_counts(const Counts& counts, int times)
 {
-    for (std::size_t k = 0; k < work_kinds; ++k) counts_[k] += counts[k];
+    for (std::size_t k = 0; k < work_kinds; ++k) counts_[k] += times * counts[k];
 }
 
 double WorkMeter::calibrate(const base::Communicator& comm)

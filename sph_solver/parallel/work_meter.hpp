@@ -43,8 +43,8 @@ public:
     /// CPU time of the scope goes to `kind`.
     [[nodiscard]] Scope measure(Work kind) { return {*this, kind}; }
     void add_seconds(Work kind, double seconds) { seconds_[static_cast<std::size_t>(kind)] += seconds; }
-    /// How much of each kind has been done in the measured scopes.
-    void add_counts(const Counts& counts);
+    /// How much of each kind has been done in the measured scopes, so many times.
+    void add_counts(const Counts& counts, int times);
 
     /// Takes over what has been measured since the last call, on all ranks; older measurements fade. Collective.
     /// \return CPU seconds of this rank since the last call

@@ -47,8 +47,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     complete_gradients(particles);
     second_pass(particles, split_.halo, border);
     second_pass_at_walls(particles);
-    meter_.add_counts(count_work(in_reach_.reached(), parts_.walls.contacts()));
-    evaluated_ = true;
+    ++evaluations_;
     return evaluation_;
 }
 
@@ -175,14 +174,15 @@ template<int D> void FluidStep<D>::redistribute(Particles<D>& particles)
     redistributed_ = true;
 }
 
-/// What the last evaluation had to do, where it was, and what the evaluations since the last report have cost.
+/// What the last evaluation had to do, where it was, and what those since the last report, all much alike, have cost.
 template<int D> void FluidStep<D>::report_work(const Particles<D>& particles)
 {
-    if (!evaluated_) return;
+    if (evaluations_ == 0) return;
+    meter_.add_counts(count_work(in_reach_.reached(), parts_.walls.contacts()), evaluations_);
     const double measured = meter_.calibrate(parts_.domain.comm());
     const auto costs = work_costs(meter_, in_reach_.reached(), parts_.walls.contacts());
     parts_.domain.record_work(particles, costs, measured);
-    evaluated_ = false;
+    evaluations_ = 0;
 }
 
 template<int D> void FluidStep<D>::build_lists(const Particles<D>& particles)

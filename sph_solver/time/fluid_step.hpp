@@ -91,7 +91,7 @@ private:
     StageUpdate<D> update_;
     RowSplit split_;
     WorkMeter meter_;
-    bool evaluated_ = false;     ///< there is work to report
+    int evaluations_ = 0;        ///< since the work was reported
     bool settled_ = false;       ///< settle was called for the coming step
     bool redistributed_ = false; ///< lists are void
     long rebuilds_ = 0;

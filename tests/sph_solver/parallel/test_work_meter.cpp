@@ -14,7 +14,7 @@ TEST(WorkMeter, CostsAreThoseOfAllRanksTogether)
     const double share = comm.rank() + 1.0; // uneven work at the same speed
     meter.add_seconds(Work::pair, 3e-3 * share);
     meter.add_seconds(Work::image, 1e-3 * share);
-    meter.add_counts({0.0, 1e6 * share, 1e4 * share});
+    meter.add_counts({0.0, 5e5 * share, 5e3 * share}, 2);
     EXPECT_DOUBLE_EQ(meter.calibrate(comm), 4e-3 * share);
     EXPECT_NEAR(meter.cost(Work::pair), 3e-9, 1e-20);
     EXPECT_NEAR(meter.cost(Work::image), 1e-7, 1e-18);
@@ -29,7 +29,7 @@ TEST(WorkMeter, OlderMeasurementsFade)
     WorkMeter meter(true);
     for (const double cost : {1.0, 1.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0}) {
         meter.add_seconds(Work::particle, cost);
-        meter.add_counts({1.0, 0.0, 0.0});
+        meter.add_counts({1.0, 0.0, 0.0}, 1);
         meter.calibrate(comm);
     }
     EXPECT_GT(meter.cost(Work::particle), 2.8);
