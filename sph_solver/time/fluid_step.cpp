@@ -133,6 +133,8 @@ template<int D> void FluidStep<D>::refresh_neighbourhood(const Particles<D>& par
         build_lists(particles);
     else if (!walls_hold(dt))
         prepare_walls(particles);
+    else
+        parts_.walls.renew_touching();
 }
 
 /// Will lists and halo still be complete at the end of the step, for a bound on all motion?

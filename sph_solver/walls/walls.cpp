@@ -76,6 +76,11 @@ template<int D> void Walls<D>::prepare(const Particles<D>& particles, double ski
     stale_ = false;
 }
 
+template<int D> void Walls<D>::renew_touching()
+{
+    if (facets_.size() > facets_.first_of_interface()) touching_.find(facets_, 0.05 * settings_.spacing);
+}
+
 template<int D> double Walls<D>::largest_displacement() const
 {
     if (stale_) return std::numeric_limits<double>::max();
