@@ -115,6 +115,9 @@ def main() -> int:
             arguments.json.write_text("".join(json.dumps(record) + "\n" for record in records), encoding="utf-8")
         if not (arguments.keep_page or arguments.test or arguments.names):
             write_page(ROOT / "docs", records)
+    if not records:
+        print("verify: nothing is expected of these runs", file=sys.stderr)
+        return 2
     misses = [record for record in records if record["judged"] and not record["pass"]]
     print(f"{len(records)} figures, {len(misses)} misses" + "".join(f"\n  {m['case']}: {m['quantity']}" for m in misses))
     return 1 if misses else 0
