@@ -40,9 +40,14 @@ def row(cells) -> str:
 
 
 def figure_row(record: dict) -> str:
-    quantity = record["quantity"] + (f" ({record['detail']})" if record.get("detail") else "")
-    return row((record["case"], quantity, number(record["value"]) or "-", *reference(record), verdict(record), record["source"],
+    return row((record["case"], record["quantity"], number(record["value"]) or "-", *reference(record), verdict(record), record["source"],
                 record.get("run", ""), number(record.get("dx")), record.get("ranks", ""), number(record.get("wall_s"))))
+
+
+def convergence_row(record: dict) -> str:
+    wanted, _, _ = reference(record)
+    return row((record["case"], record["quantity"], record.get("detail", "-"), number(record["value"]) or "-", wanted, verdict(record),
+                record["source"]))
 
 
 def miss_row(record: dict) -> str:
@@ -61,7 +66,11 @@ def page(records: list[dict]) -> str:
     lines = [f"{len(records)} figures, {len(misses)} misses; commits of the runs: {', '.join(commits)}.", "", "### Misses", ""]
     lines += table(("case", "quantity", "ours", "reference", "difference", "tolerance", "dx [m]", "cause"),
                    [miss_row(record) for record in misses]) or ["None."]
-    lines += ["", "### All figures", "", *table(HEADER, [figure_row(record) for record in records])]
+    over_runs = [record for record in records if record.get("run") == "all"]
+    lines += ["", "### Over resolutions", "", *table(("case", "quantity", "figures", "lowest", "reference", "", "source"),
+                                                     [convergence_row(record) for record in over_runs])]
+    single = [record for record in records if record.get("run") != "all"]
+    lines += ["", "### Single runs", "", *table(HEADER, [figure_row(record) for record in single])]
     return "\n".join(lines)
 
 

@@ -122,7 +122,7 @@ class Page(Scratch):
         self.assertTrue(text.startswith("before\n") and text.endswith("\nafter\n"))
         self.assertIn("2 figures, 1 misses", text)
         self.assertIn("| a | q[m] | 1.2 | 1 | +20 % | 10 % | 0.1 | too coarse |", text)
-        self.assertLess(text.index("too coarse"), text.index("All figures"))
+        self.assertLess(text.index("too coarse"), text.index("Single runs"))
 
     def test_a_run_of_one_case_leaves_the_others(self):
         write(self.path / "verification.md", f"{BEGIN}\n{END}\n")
