@@ -47,7 +47,7 @@ struct NumericsConfig {
 
 /// [parallel]
 struct ParallelConfig {
-    double imbalance_limit = 1.15;
+    double imbalance_limit = 1.08;
     int rebuilds_between = 20;
 };
 

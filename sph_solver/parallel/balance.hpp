@@ -7,7 +7,7 @@ namespace sph {
 
 /// When to cut the domain anew.
 struct RebalanceSettings {
-    double limit = 1.15;       ///< largest measured time of a rank over the mean that is put up with [-]
+    double limit = 1.08;       ///< largest measured time of a rank over the mean that is put up with [-]
     int rebuilds_between = 20; ///< rebuilds that must pass between two attempts
     double gain = 0.03;        ///< by how much a new cut must promise to lower the imbalance, else the old one stays
 };
