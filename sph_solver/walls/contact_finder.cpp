@@ -11,6 +11,33 @@ constexpr double touch_tolerance = 0.05; // [dx]
 constexpr double deepest_inside = 0.5;   // [dx] deeper than this, a particle is on the other side of the wall
 constexpr double cos_flat = 0.99985;     // facets within 1 degree of the plane need no cut
 constexpr double cos_opposite = -0.5;    // faces turned away further are the far side of a plate
+
+/// Unit vector in the facet, across the side opposite to corner `side` and out of the facet.
+Vec<2> away_from_side(const base::Simplex<2>& corners, int side)
+{
+    const auto s = static_cast<std::size_t>(side);
+    return (corners[1 - s] - corners[s]).normalized();
+}
+Vec<3> away_from_side(const base::Simplex<3>& corners, int side)
+{
+    const auto s = static_cast<std::size_t>(side);
+    const Vec<3>& from = corners[(s + 1) % 3];
+    const Vec<3> edge = (corners[(s + 2) % 3] - from).normalized(), across = from - corners[s];
+    return (across - across.dot(edge) * edge).normalized();
+}
+
+/// The angle that a facet takes up around one of its own points, in half turns; all ends of segments count alike.
+double angle_at(const base::Simplex<2>&, const std::array<double, 2>&) { return 1.0; }
+double angle_at(const base::Simplex<3>& corners, const std::array<double, 3>& weight)
+{
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (weight[c] < 1) continue;
+        const Vec<3> a = corners[(c + 1) % 3] - corners[c], b = corners[(c + 2) % 3] - corners[c];
+        return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0)) / std::numbers::pi;
+    }
+    return 1.0;
+}
+
 } // namespace
 
 template<int D>
@@ -44,34 +71,42 @@ template<int D> void ContactFinder<D>::gather(const Vec<D>& x, std::span<const i
     near_.clear();
     for (const int facet : candidates) {
         const auto closest = base::closest_point(facets_.corners(facet), x);
-        if (closest.squared_distance < support_ * support_) near_.push_back({facet, closest, false});
+        if (closest.squared_distance >= support_ * support_) continue;
+        near_.push_back({facet, closest, (x - closest.point).dot(facets_.normal(facet)), false});
     }
 }
 
-/// Position in `near_` of the nearest facet that no plane represents yet, -1 if there is none.
+/// Position in `near_` of the nearest facet that no plane represents yet, -1 if there is none. Of facets in the same place
+/// (the two faces of a plate without thickness, the facets around a corner) the one that looks at the particle.
 template<int D> int ContactFinder<D>::nearest() const
 {
-    int best = -1;
-    double least = support_ * support_;
-    for (std::size_t k = 0; k < near_.size(); ++k) {
-        if (near_[k].represented || near_[k].closest.squared_distance >= least) continue;
-        least = near_[k].closest.squared_distance;
-        best = static_cast<int>(k);
+    const Near* best = nullptr;
+    for (const Near& near : near_) {
+        if (near.represented) continue;
+        const double gain = best ? best->closest.squared_distance - near.closest.squared_distance : support_ * support_;
+        const bool same_place = std::abs(gain) <= 1e-12 * spacing_ * spacing_;
+        if (same_place ? near.height > best->height : gain > 0) best = &near;
     }
-    return best;
+    return best ? static_cast<int>(best - near_.data()) : -1;
 }
 
-/// Mean normal of the facets that share the nearest point: on an edge its sign tells inside from outside.
+template<int D> bool ContactFinder<D>::is_on_side(const Near& near)
+{
+    return *std::min_element(near.closest.weight.begin(), near.closest.weight.end()) <= 0;
+}
+
+/// Mean normal of the facets that share the nearest point, weighted by the angles that they take up around it: its sign
+/// tells inside from outside at any edge and corner (Baerentzen and Aanaes 2005).
 template<int D> Vec<D> ContactFinder<D>::face_normal(int at) const
 {
     const Near& base = near_[static_cast<std::size_t>(at)];
-    Vec<D> sum = facets_.normal(base.facet);
     const auto touching = touching_.of(base.facet);
-    const auto& weight = base.closest.weight;
-    if (*std::min_element(weight.begin(), weight.end()) > 0) return sum;
+    if (!is_on_side(base)) return facets_.normal(base.facet);
+    Vec<D> sum = angle_at(facets_.corners(base.facet), base.closest.weight) * facets_.normal(base.facet);
     for (const Near& other : near_) {
         if ((other.closest.point - base.closest.point).norm() > 1e-9 * spacing_ || other.facet == base.facet) continue;
-        if (std::binary_search(touching.begin(), touching.end(), other.facet)) sum += facets_.normal(other.facet);
+        if (std::binary_search(touching.begin(), touching.end(), other.facet))
+            sum += angle_at(facets_.corners(other.facet), other.closest.weight) * facets_.normal(other.facet);
     }
     return sum.norm() > 0.1 ? Vec<D>(sum.normalized()) : facets_.normal(base.facet);
 }
@@ -80,10 +115,9 @@ template<int D> Vec<D> ContactFinder<D>::face_normal(int at) const
 template<int D> bool ContactFinder<D>::is_beyond_end(int at, const Vec<D>& from_wall) const
 {
     const Near& base = near_[static_cast<std::size_t>(at)];
-    const auto& corners = facets_.corners(base.facet);
-    for (int c = 0; c < D; ++c) {
-        if (base.closest.weight[static_cast<std::size_t>(c)] < 1 || !touching_.is_free_end(base.facet, c)) continue;
-        if (from_wall.dot(base.closest.point - corners[static_cast<std::size_t>((c + 1) % D)]) > 0) return true;
+    for (int s = 0; s < D; ++s) {
+        if (base.closest.weight[static_cast<std::size_t>(s)] > 0 || !touching_.is_free_side(base.facet, s)) continue;
+        if (from_wall.dot(away_from_side(facets_.corners(base.facet), s)) > 0) return true;
     }
     return false;
 }
@@ -94,8 +128,7 @@ template<int D> bool ContactFinder<D>::is_beyond_end(int at, const Vec<D>& from_
 template<int D> bool ContactFinder<D>::is_at_represented_joint(int at) const
 {
     const Near& base = near_[static_cast<std::size_t>(at)];
-    const auto& weight = base.closest.weight;
-    if (*std::min_element(weight.begin(), weight.end()) > 0) return false;
+    if (!is_on_side(base)) return false;
     const auto touching = touching_.of(base.facet);
     for (const Near& other : near_) {
         if (!other.represented || !std::binary_search(touching.begin(), touching.end(), other.facet)) continue;
@@ -196,9 +229,9 @@ template<int D> void ContactFinder<D>::add_cuts(MirrorPlane<D>& plane, int facet
     const double turn = normal.dot(plane.normal);
     if (turn < cos_flat && turn >= cos_opposite && lies_behind(plane, facet)) add_cut(plane, normal, corners[0]);
     for (int c = 0; c < D; ++c) {
-        if (!touching_.is_free_end(facet, c)) continue;
-        const auto& end = corners[static_cast<std::size_t>(c)];
-        add_cut(plane, (end - corners[static_cast<std::size_t>((c + 1) % D)]).normalized(), end);
+        const int side = (c + D - 1) % D;
+        if (touching_.is_free_side(facet, side))
+            add_cut(plane, away_from_side(corners, side), corners[static_cast<std::size_t>(c)]);
     }
 }
 

@@ -33,10 +33,12 @@ private:
     struct Near {
         int facet;
         base::ClosestPoint<D> closest;
+        double height; ///< of the particle over the facet's plane [m]
         bool represented;
     };
     void gather(const Vec<D>& x, std::span<const int> candidates);
     int nearest() const;
+    static bool is_on_side(const Near& near);
     Vec<D> face_normal(int at) const;
     bool is_beyond_end(int at, const Vec<D>& from_wall) const;
     bool is_at_represented_joint(int at) const;

@@ -5,6 +5,17 @@
 #include <numeric>
 
 namespace sph {
+namespace {
+
+/// Where a side is asked whether something touches it.
+std::array<Vec<2>, 1> points_of_side(const base::Simplex<2>& corners, std::size_t side) { return {corners[1 - side]}; }
+std::array<Vec<3>, 3> points_of_side(const base::Simplex<3>& corners, std::size_t side)
+{
+    const Vec<3>&a = corners[(side + 1) % 3], &b = corners[(side + 2) % 3];
+    return {a + (b - a) / 6, a + (b - a) / 2, b - (b - a) / 6};
+}
+
+} // namespace
 
 template<int D> void Touching<D>::find(const WallFacets<D>& facets, double tolerance)
 {
@@ -34,21 +45,23 @@ template<int D> void Touching<D>::find(const WallFacets<D>& facets, double toler
         touching_.push_back(g);
     }
     std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-    find_free_ends(facets, tolerance);
+    find_free_sides(facets, tolerance);
 }
 
-template<int D> void Touching<D>::find_free_ends(const WallFacets<D>& facets, double tolerance)
+template<int D> void Touching<D>::find_free_sides(const WallFacets<D>& facets, double tolerance)
 {
-    free_end_.assign(static_cast<std::size_t>(facets.size()) * D, 0);
-    if (D == 3) return;
+    free_side_.assign(static_cast<std::size_t>(facets.size()) * D, 0);
     for (int f = 0; f < facets.size(); ++f) {
-        for (int c = 0; c < D; ++c) {
-            const auto& end = facets.corners(f)[static_cast<std::size_t>(c)];
+        const auto is_met = [&](const Vec<D>& x) {
             const auto neighbours = of(f);
-            const bool met = std::any_of(neighbours.begin(), neighbours.end(), [&](int g) {
-                return base::closest_point(facets.corners(g), end).squared_distance <= tolerance * tolerance;
+            return std::any_of(neighbours.begin(), neighbours.end(), [&](int g) {
+                return base::closest_point(facets.corners(g), x).squared_distance <= tolerance * tolerance;
             });
-            free_end_[static_cast<std::size_t>(f) * D + static_cast<std::size_t>(c)] = !met;
+        };
+        for (int s = 0; s < D; ++s) {
+            const auto points = points_of_side(facets.corners(f), static_cast<std::size_t>(s));
+            free_side_[static_cast<std::size_t>(f) * D + static_cast<std::size_t>(s)] =
+                std::none_of(points.begin(), points.end(), is_met);
         }
     }
 }

@@ -9,7 +9,8 @@
 namespace sph {
 
 /// Which facets touch which, also of different bodies: two facets touch when they come nearer than a tolerance.
-/// And which ends of a wall are free: nothing touches them.
+/// And which sides of a facet are free: nothing touches them. Side s of a facet lies opposite to its corner s: the other end
+/// of a segment, an edge of a triangle.
 template<int D> class Touching {
 public:
     /// \param tolerance [m], a small part of the particle spacing.
@@ -21,17 +22,18 @@ public:
         const auto f = static_cast<std::size_t>(facet);
         return {touching_.data() + offsets_[f], static_cast<std::size_t>(offsets_[f + 1] - offsets_[f])};
     }
-    /// 2D: does the wall end at this corner of the facet? Always false in 3D.
-    bool is_free_end(int facet, int corner) const
+    /// Does the wall end at this side of the facet? (3D: at its middle and near both ends; a side that is met in part is
+    /// not free.)
+    bool is_free_side(int facet, int side) const
     {
-        return free_end_[static_cast<std::size_t>(facet) * D + static_cast<std::size_t>(corner)] != 0;
+        return free_side_[static_cast<std::size_t>(facet) * D + static_cast<std::size_t>(side)] != 0;
     }
 
 private:
-    void find_free_ends(const WallFacets<D>& facets, double tolerance);
+    void find_free_sides(const WallFacets<D>& facets, double tolerance);
 
     std::vector<int> offsets_{0}, touching_;
-    std::vector<char> free_end_;
+    std::vector<char> free_side_;
 };
 
 } // namespace sph

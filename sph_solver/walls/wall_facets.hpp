@@ -60,6 +60,7 @@ public:
 
     int size() const { return static_cast<int>(facets_.size()); }
     int first_of_interface() const { return rigid_facets_; }
+    int still_facets() const { return still_facets_; } ///< the facets before all that move
     /// Is the facet a part of the interface?
     bool is_wet(int facet) const { return facet >= rigid_facets_; }
     const WallFacet<D>& operator[](int facet) const { return facets_[static_cast<std::size_t>(facet)]; }

@@ -26,6 +26,7 @@ void Walls<D>::add_fixed(const WallBody& body, const std::vector<double>& coordi
 {
     facets_.add_fixed(body, points<D>(coordinates), split_facets<D>(facets));
     stale_ = true;
+    still_reach_ = -1;
 }
 
 template<int D>
@@ -50,25 +51,31 @@ void Walls<D>::set_moving(const WallBody& body, const VertexMotion<D>& motion, c
     facets_.set_moving(body, motion, facets);
 }
 
-template<int D> void Walls<D>::fill_grid(double reach)
+template<int D> void Walls<D>::fill_grids(double reach)
 {
-    grid_.clear();
-    for (int f = 0; f < facets_.size(); ++f) grid_.add(f, base::box_around<D>(facets_.corners(f)).widened(reach));
-    grid_.build();
+    const auto fill = [&](base::BoxGrid<D>& grid, int first, int last) {
+        grid.clear();
+        for (int f = first; f < last; ++f) grid.add(f, base::box_around<D>(facets_.corners(f)).widened(reach));
+        grid.build();
+    };
+    if (still_reach_ != reach) fill(still_grid_, 0, facets_.still_facets());
+    still_reach_ = reach;
+    fill(moving_grid_, facets_.still_facets(), facets_.size());
 }
 
 template<int D> void Walls<D>::prepare(const Particles<D>& particles, double skin)
 {
     const double reach = settings_.support + skin;
-    touching_.find(facets_, 0.05 * settings_.spacing);
-    fill_grid(reach);
+    if (stale_ || facets_.size() > facets_.still_facets()) touching_.find(facets_, 0.05 * settings_.spacing);
+    fill_grids(reach);
     rows_.clear();
     candidates_.clear();
     for (std::size_t k = 0; k < particles.owned.size(); ++k) {
         const Vec<D>& x = particles.position[static_cast<std::size_t>(particles.owned[k])];
         const int begin = static_cast<int>(candidates_.size());
-        for (const int f : grid_.near(x))
+        visit_near(x, [&](int f) {
             if (base::closest_point(facets_.corners(f), x).squared_distance < reach * reach) candidates_.push_back(f);
+        });
         if (static_cast<int>(candidates_.size()) > begin)
             rows_.push_back({k, begin, static_cast<int>(candidates_.size())});
     }
@@ -117,19 +124,18 @@ template<int D> bool Walls<D>::may_interact(const Vec<D>& x_i, const Vec<D>& x_j
     constexpr std::size_t most = 8;
     std::array<int, most> crossed;
     std::size_t count = 0;
-    bool goes_in = false, comes_out = false;
+    bool goes_in = false, comes_out = false, through = false;
     double inside = 0; // length of the way behind a facet [m]
-    for (const int f : grid_.near(x_i)) {
+    visit_near(x_i, [&](int f) {
         const double fraction = base::crossing_fraction<D>(facets_.corners(f), x_i, x_j);
-        if (fraction < 0) continue;
-        for (std::size_t c = 0; c < count; ++c)
-            if (facets_.normal(f).dot(facets_.normal(crossed[c])) < -0.5) return false;
+        if (fraction < 0) return;
+        for (std::size_t c = 0; c < count; ++c) through |= facets_.normal(f).dot(facets_.normal(crossed[c])) < -0.5;
         if (count < most) crossed[count++] = f;
         const bool leaves = (x_j - x_i).dot(facets_.normal(f)) > 0;
         (leaves ? comes_out : goes_in) = true;
         inside = std::max(inside, (leaves ? fraction : 1 - fraction) * (x_j - x_i).norm());
-    }
-    return goes_in == comes_out || inside < 0.3 * settings_.spacing;
+    });
+    return !through && (goes_in == comes_out || inside < 0.3 * settings_.spacing);
 }
 
 template<int D> Penetration Walls<D>::penetration() const

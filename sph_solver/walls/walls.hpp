@@ -25,7 +25,9 @@ struct Penetration {
 /// move(s), find_contacts(particles).
 template<int D> class Walls {
 public:
-    explicit Walls(const WallSettings<D>& settings) : settings_(settings), grid_(settings.support) {}
+    explicit Walls(const WallSettings<D>& settings)
+        : settings_(settings), still_grid_(settings.support), moving_grid_(settings.support)
+    {}
 
     const WallSettings<D>& settings() const { return settings_; }
     const WallFacets<D>& facets() const { return facets_; }
@@ -68,18 +70,25 @@ public:
     /// Depends on the positions alone and is symmetric. \pre prepare since the last set_moving.
     bool may_interact(const Vec<D>& x_i, const Vec<D>& x_j) const;
     /// May a wall stand between x and anything within reach of it? \pre as for may_interact
-    bool may_separate(const Vec<D>& x) const { return !grid_.near(x).empty(); }
+    bool may_separate(const Vec<D>& x) const { return !still_grid_.near(x).empty() || !moving_grid_.near(x).empty(); }
 
     /// Counts the owned particles inside walls; this rank's part. \pre find_contacts
     Penetration penetration() const;
 
 private:
-    void fill_grid(double reach);
+    void fill_grids(double reach);
+    /// Calls visit(facet) for all facets, ascending, that may be within reach of x.
+    template<class Visit> void visit_near(const Vec<D>& x, Visit&& visit) const
+    {
+        for (const int f : still_grid_.near(x)) visit(f);
+        for (const int f : moving_grid_.near(x)) visit(f);
+    }
 
     WallSettings<D> settings_;
     WallFacets<D> facets_;
     Touching<D> touching_;
-    base::BoxGrid<D> grid_; ///< facets, their boxes widened by the reach
+    base::BoxGrid<D> still_grid_, moving_grid_; ///< facets, their boxes widened by the reach
+    double still_reach_ = -1;                   ///< that of the still grid, negative: it must be made anew
     bool stale_ = true;
     std::vector<Vec<D>> prepared_at_; ///< vertices at the last prepare
 
