@@ -15,7 +15,7 @@ namespace sph {
 /// One mirroring, with what all images of a group have in common.
 template<int D> struct MirrorStep {
     std::array<double, D> normal{};   ///< n
-    std::array<double, D> velocity{}; ///< v_w [m/s]
+    std::array<double, D> velocity{}; ///< v_w + push n [m/s]
     double offset = 0;                ///< x_w.n [m]
     double pull = 0;                  ///< (g - a_w).n / c0^2 [1/m]
     bool no_slip = false;
@@ -28,7 +28,7 @@ template<int D> struct MirrorStep {
     {
         for (int a = 0; a < D; ++a) {
             normal[static_cast<std::size_t>(a)] = plane.normal[a];
-            velocity[static_cast<std::size_t>(a)] = plane.velocity[a];
+            velocity[static_cast<std::size_t>(a)] = plane.velocity[a] + plane.push * plane.normal[a];
         }
     }
 };

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double steps_per_passage = 0.3; // differences of a wall's motion look 3 * 0.3 dx/c0 to both sides
 
+constexpr double push_share = 0.1; // of c0 for a spacing: up to 2 % of c0 for a particle on the wall
+
 } // namespace
 
 template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<D>& model, double end)
@@ -17,6 +19,7 @@ template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<
     settings.spacing = config.resolution.spacing;
     settings.support = model.kernel.support();
     settings.gravity = model.gravity;
+    settings.push_rate = push_share * config.liquid.sound_speed / settings.spacing;
     Walls<D> walls(settings);
     const MotionSpan span{config.time.start, end, steps_per_passage * settings.spacing / config.liquid.sound_speed};
     for (const bool moves : {false, true}) {

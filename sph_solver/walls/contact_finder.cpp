@@ -48,6 +48,8 @@ ContactFinder<D>::ContactFinder(const WallFacets<D>& facets, const Touching<D>& 
       support_(settings.support),
       spacing_(settings.spacing),
       tolerance_(touch_tolerance * settings.spacing),
+      push_from_(settings.push_from * settings.spacing),
+      push_rate_(settings.push_rate),
       cos_sheet_(std::cos(settings.sheet_angle * std::numbers::pi / 180.0))
 {}
 
@@ -155,6 +157,7 @@ template<int D> MirrorPlane<D> ContactFinder<D>::plane_at(const Vec<D>& x, int a
         plane.normal = facets_.normal(plane.facet);
         plane.distance = from_wall.dot(plane.normal);
     }
+    plane.push = push_rate_ * std::max(0.0, push_from_ - plane.distance);
     plane.velocity = facets_.velocity(plane.facet, plane.weight);
     plane.acceleration = facets_.acceleration(plane.facet, plane.weight);
     plane.no_slip = facets_.body_of(plane.facet).no_slip;

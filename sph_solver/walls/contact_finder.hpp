@@ -53,7 +53,7 @@ private:
 
     const WallFacets<D>& facets_;
     const Touching<D>& touching_;
-    double support_, spacing_, tolerance_, cos_sheet_;
+    double support_, spacing_, tolerance_, push_from_, push_rate_, cos_sheet_;
     std::vector<Near> near_;
     std::vector<int> queue_;
 };

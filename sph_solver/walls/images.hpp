@@ -143,6 +143,8 @@ private:
 /// The image's state: that of its source, mirrored in one plane after the other (s = height over the plane, R = I - 2
 /// n n):
 ///
+/// with v_w + push n for v_w very near the wall,
+///
 ///     v' = v - 2 ((v - v_w).n) n  (slip),   2 v_w - v  (no slip)         grad v' = R grad v R,   - grad v R
 ///     p' = p + rho (g - a_w).(x' - x),   rho' = rho + (p' - p)/c^2       grad rho' = R grad rho + 2 rho ((g -
 /// a_w).n)/c^2 n
@@ -162,10 +164,10 @@ void mirror_state(PrimitiveState<D>& state, const Image<D>& image, double sound_
         const Vec<D> along = state.velocity_gradient * n;
         Mat<D> gradient = state.velocity_gradient - (2 * along) * n.transpose(); // grad v R
         if (plane.no_slip) {
-            state.velocity = 2 * plane.velocity - state.velocity;
+            state.velocity = 2 * (plane.velocity + plane.push * n) - state.velocity;
             state.velocity_gradient = -gradient;
         } else {
-            state.velocity -= (2 * (state.velocity - plane.velocity).dot(n)) * n;
+            state.velocity -= (2 * ((state.velocity - plane.velocity).dot(n) - plane.push)) * n;
             state.velocity_gradient = gradient - (2 * n) * (n.transpose() * gradient).eval();
         }
     }

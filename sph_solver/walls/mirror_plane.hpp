@@ -19,6 +19,8 @@ template<int D> struct WallSettings {
     Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
     double sheet_angle = 10;         ///< touching facets within this angle give one plane [degrees]
     double image_distance = 0.2;     ///< a particle's own image stays this far away [dx]
+    double push_from = 0.2;          ///< images push particles that come nearer than this [dx]
+    double push_rate = 0;            ///< how fast, per length that is missing [1/s]
 };
 
 /// A half-space that cuts images off: the fluid of another face of the same body begins at normal.x = offset.
@@ -35,6 +37,7 @@ template<int D> struct MirrorPlane {
     Vec<D> normal = Vec<D>::Zero();             ///< n, into the fluid
     Vec<D> velocity = Vec<D>::Zero();           ///< v_w [m/s], mean over the footprint of a moving wall
     Vec<D> acceleration = Vec<D>::Zero();       ///< a_w [m/s^2], likewise
+    double push = 0;                            ///< speed of the images out of the wall, beyond v_w [m/s]
     double distance = 0;                        ///< (x_i - x_w).n [m], negative inside the wall
     bool no_slip = false;                       ///< images have the velocity 2 v_w - v instead of the mirrored one
     int facet = -1;                             ///< that x_w lies on

@@ -97,6 +97,8 @@ template<int D> WallSettings<D> heavy_settings()
 {
     auto settings = unit_settings<D>();
     settings.gravity = Vec<D>::Constant(-4);
+    settings.push_from = 0.5;
+    settings.push_rate = 3;
     return settings;
 }
 
