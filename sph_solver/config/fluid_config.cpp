@@ -82,6 +82,10 @@ void check_water(FluidConfig& config, const base::ConfigReader& reader, const Ve
         if (!water.velocity.empty()) vectors.required(water.velocity, path + ".velocity");
         resolve(water.file, reader);
     }
+    const base::Formula& pressure = config.initial.pressure;
+    base::require_input(
+        config.initial.state != "hydrostatic" || pressure.where.empty(), pressure.where,
+        ": a pressure is given, but state = \"hydrostatic\" makes its own; is \"field\" or \"uniform\" meant?");
 }
 
 void check_outflows(const FluidConfig& config, const base::ConfigReader& reader, const VectorCheck& vectors)

@@ -183,6 +183,12 @@ TEST(FluidConfig, WaterSaysWhatItsShapeLacks)
     expect_refusal(with(box, box.substr(0, 36) + "\nvelocity = [true, 1]\n[[walls]]"), {"a number or a formula"});
 }
 
+TEST(FluidConfig, HydrostaticWaterTakesNoPressure)
+{
+    expect_refusal(tank + "[initial]\npressure = \"500*y\"\n", {"fluid.toml:18", "\"field\" or \"uniform\""});
+    EXPECT_EQ(refusal(tank + "[initial]\nstate = \"field\"\npressure = \"500*y\"\n"), "");
+}
+
 TEST(FluidConfig, PathsOfWaterAreSeenFromTheFile)
 {
     const std::string text = with("low = [0.0, 0.0]\nhigh = [0.1, 0.14]\n[[walls]]",
