@@ -13,12 +13,13 @@ import re
 import shutil
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 from check_expectations import line
 from convergence import check_convergence, spacing
 from energy import write_energy_total
-from expectations import Finding, check
+from expectations import Finding, check, is_meant
 from launch import run as launch
 from run_folder import RunFolder
 from verify_page import write_page
@@ -56,6 +57,13 @@ def judged_run(planned: PlannedRun, run: RunFolder, facts: dict) -> list[Finding
             finding.value, finding.reason = None, f"the run ended with exit code {facts['exit_code']}"
         findings = findings or [Finding(name, {"quantity": "exit_code", "high": 0}, float(facts["exit_code"]))]
     return findings
+
+
+def is_awaited(planned: PlannedRun) -> bool:
+    """Whether expect.toml asks anything of a run of that name."""
+    path = planned.folder / "expect.toml"
+    entries = tomllib.loads(path.read_text(encoding="utf-8")).get("expect", []) if path.exists() else []
+    return any(is_meant(entry, planned.name) for entry in entries)
 
 
 def verify_case(folder: Path, chosen, arguments) -> list[dict]:
@@ -99,7 +107,7 @@ def main() -> int:
     try:
         work = []
         for folder in find_cases(arguments.cases):
-            chosen = [planned for planned in plan(folder) if planned.test == arguments.test
+            chosen = [planned for planned in plan(folder) if planned.test == arguments.test and (is_awaited(planned) or not planned.test)
                       and (not arguments.names or planned.name in arguments.names)]
             work += [(folder, chosen)] if chosen else []
     except ValueError as error:
