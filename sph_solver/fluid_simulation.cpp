@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/fluid_simulation.hpp"
 
+#include "sph_solver/operators/viscous_force.hpp"
 #include "sph_solver/output/state_hash.hpp"
 #include "sph_solver/setup/initial_state.hpp"
 #include "sph_solver/setup/make_model.hpp"
@@ -57,7 +58,8 @@ template<int D> base::JsonObject parallel_figures(const Domain<D>& domain, const
 
 TimeStepSettings step_settings(const FluidConfig& config)
 {
-    return {config.time.cfl, config.resolution.smoothing_length(), config.liquid.sound_speed, config.time.fixed_dt};
+    return {config.time.cfl, config.resolution.smoothing_length(), config.liquid.sound_speed, config.time.fixed_dt,
+            config.liquid.viscosity / config.liquid.density};
 }
 
 } // namespace
@@ -80,6 +82,8 @@ FluidSimulation<D>::FluidSimulation(const FluidConfig& config, coupler::Session&
 {
     now_.time = config.time.start;
     step_.add_observer(ledger_);
+    if (config.liquid.viscosity > 0.0)
+        step_.add_term(std::make_unique<ViscousForce<D>>(config.liquid.viscosity, model_));
 }
 
 template<int D> void FluidSimulation<D>::check()

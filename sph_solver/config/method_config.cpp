@@ -46,7 +46,9 @@ base::Table<LiquidConfig> liquid_table()
              {.unit = "m/s",
               .doc = "numerical speed of sound c0 at rho0, about 10 times the largest speed expected",
               .positive = true,
-              .required = true});
+              .required = true})
+        .key("viscosity", &LiquidConfig::viscosity,
+             {.unit = "Pa s", .doc = "dynamic viscosity, laminar; 0: inviscid. Water 1e-3, a light oil 0.1", .min = 0});
 }
 
 base::Table<NumericsConfig> numerics_table()

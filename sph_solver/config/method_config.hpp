@@ -35,6 +35,7 @@ struct ResolutionConfig {
 struct LiquidConfig {
     double density = 1000.0;
     double sound_speed = 0.0;
+    double viscosity = 0.0;
 };
 
 /// [numerics]

@@ -3,42 +3,10 @@
 
 #include "sph_solver/numerics/muscl.hpp"
 #include "sph_solver/operators/image_packs.hpp"
-
-#include <cmath>
-#include <Eigen/LU>
+#include "sph_solver/operators/share_out.hpp"
 
 namespace sph {
 namespace {
-
-/// Gives a force to the walls of a group of images: its components along their normals where these are far from
-/// parallel, else all to the last.
-template<int D>
-void share_out(const Vec<D>& force, const ImageGroup& group, const std::vector<MirrorPlane<D>>& planes,
-               std::vector<Vec<D>>& on_wall)
-{
-    const auto plane = [&](int k) { return static_cast<std::size_t>(group.path[static_cast<std::size_t>(k)]); };
-    const auto normal = [&](int k) -> const Vec<D>& { return planes[plane(k)].normal; };
-    const int last = group.order - 1;
-    Vec<D> rest = force;
-    if (group.order == 2 && std::abs(normal(0).dot(normal(1))) < 0.7) {
-        const double cosine = normal(0).dot(normal(1));
-        const double a = force.dot(normal(0)), b = force.dot(normal(1));
-        const Vec<D> part = ((a - cosine * b) / (1 - cosine * cosine)) * normal(0);
-        on_wall[plane(0)] += part;
-        rest -= part;
-    } else if (D == 3 && group.order == 3 && group.path[0] != group.path[2]) {
-        Mat<D> normals;
-        for (int k = 0; k < D; ++k) normals.col(k) = normal(k);
-        if (std::abs(normals.determinant()) > 0.3) {
-            const Vec<D> share = normals.inverse() * force;
-            for (int k = 0; k < last; ++k) {
-                on_wall[plane(k)] += share[k] * normal(k);
-                rest -= share[k] * normal(k);
-            }
-        }
-    }
-    on_wall[plane(last)] += rest;
-}
 
 /// The faces towards a group's images, several packs after one another in each of three short loops (as in
 /// operators/fluid_flux.cpp).
@@ -133,13 +101,17 @@ void sum_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<
 } // namespace
 
 template<int D>
-void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
-                         const PairRecords<D>& records, const FluidModel<D>& model)
+void find_wall_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
+                      const PairRecords<D>& records, const FluidModel<D>& model)
 {
-    const auto& contacts = walls.contacts().contacts;
-    forces.on_particle.assign(contacts.size(), Vec<D>::Zero());
+    forces.on_particle.assign(walls.contacts().contacts.size(), Vec<D>::Zero());
     forces.on_wall.assign(walls.contacts().planes.size(), Vec<D>::Zero());
     std::visit([&](auto limiter) { sum_forces(forces, images, walls, records, model, limiter); }, model.limiter);
+}
+
+template<int D> void add_wall_forces(Rates<D>& rates, const WallForces<D>& forces, const Walls<D>& walls)
+{
+    const auto& contacts = walls.contacts().contacts;
     for (std::size_t c = 0; c < contacts.size(); ++c)
         rates.momentum[static_cast<std::size_t>(contacts[c].particle)] += forces.on_particle[c];
 }
@@ -166,10 +138,12 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
     }
 }
 
-template void add_fluid_wall_flux<2>(Rates<2>&, WallForces<2>&, const WallImages<2>&, const Walls<2>&,
-                                     const PairRecords<2>&, const FluidModel<2>&);
-template void add_fluid_wall_flux<3>(Rates<3>&, WallForces<3>&, const WallImages<3>&, const Walls<3>&,
-                                     const PairRecords<3>&, const FluidModel<3>&);
+template void find_wall_forces<2>(WallForces<2>&, const WallImages<2>&, const Walls<2>&, const PairRecords<2>&,
+                                  const FluidModel<2>&);
+template void find_wall_forces<3>(WallForces<3>&, const WallImages<3>&, const Walls<3>&, const PairRecords<3>&,
+                                  const FluidModel<3>&);
+template void add_wall_forces<2>(Rates<2>&, const WallForces<2>&, const Walls<2>&);
+template void add_wall_forces<3>(Rates<3>&, const WallForces<3>&, const Walls<3>&);
 template void add_wall_power<2>(WallPower&, double, const WallForces<2>&, const Walls<2>&, const Particles<2>&,
                                 const GradientField<2>&);
 template void add_wall_power<3>(WallPower&, double, const WallForces<3>&, const Walls<3>&, const Particles<3>&,

@@ -11,24 +11,25 @@
 
 namespace sph {
 
-/// Pass 2 at the walls: what each owned particle near a wall gets from its images, and what the wall's points get.
+/// What each owned particle near a wall gets from its images, and what the wall's points get.
 template<int D> struct WallForces {
-    std::vector<Vec<D>> on_particle; ///< dP_i/dt = -sum S p_e n [N], one for each contact
+    std::vector<Vec<D>> on_particle; ///< dP_i/dt [N], one for each contact
     std::vector<Vec<D>> on_wall;     ///< at x_w of each plane [N]; those of a contact add up to minus on_particle
 };
 
-/// Adds the wall's part to rates.momentum and makes `forces` anew. Every image is a neighbour across whose face no mass
-/// passes:
+/// Makes `forces` anew from the pressure. Every image is a neighbour across whose face no mass passes:
 ///
-///     dP_i/dt -= S p_e n,   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
+///     force on i = -sum S p_e n,   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
 ///
 /// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along
-/// their
-/// normals, each part to its own wall.
+/// their normals, each part to its own wall.
 /// \pre images.find for the present positions; records hold states and slopes of the present state.
 template<int D>
-void add_fluid_wall_flux(Rates<D>& rates, WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
-                         const PairRecords<D>& records, const FluidModel<D>& model);
+void find_wall_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<D>& walls,
+                      const PairRecords<D>& records, const FluidModel<D>& model);
+
+/// Adds the forces on particles to rates.momentum.
+template<int D> void add_wall_forces(Rates<D>& rates, const WallForces<D>& forces, const Walls<D>& walls);
 
 /// Rates of work and loss at the walls, this rank's part [W], 2D [W/m].
 struct WallPower {

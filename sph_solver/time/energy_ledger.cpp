@@ -16,6 +16,7 @@ enum Place : std::size_t {
     riemann,
     mass_flux,
     at_walls,
+    viscous,
     out_mass,
     out_momentum,
     out_energy = out_momentum + 3,
@@ -39,6 +40,8 @@ void EnergyLedger<D>::observe(const Particles<D>& particles, const Walls<D>& wal
         riemann_.add(share * (particles.pressure[i] * volume_rate - v.dot(flux.by_pressure)));
         mass_flux_.add(share * -(v.dot(flux.by_mass) + carried * flux.mass));
     }
+    for (std::size_t k = 0; k < evaluation.viscous.size(); ++k)
+        viscous_.add(-share * particles.velocity[static_cast<std::size_t>(particles.owned[k])].dot(evaluation.viscous[k]));
     add_wall_power(walls_, share, evaluation.wall_forces, walls, particles, evaluation.gradient_sums);
 }
 
@@ -67,6 +70,7 @@ EnergyBalance EnergyLedger<D>::balance(const Particles<D>& particles, const Outf
     sums[riemann] = riemann_;
     sums[mass_flux] = mass_flux_;
     sums[at_walls] = walls_.dissipation;
+    sums[viscous] = viscous_;
     const OutflowTotals& out = outflow.totals();
     sums[out_mass] = out.mass;
     for (std::size_t a = 0; a < 3; ++a) sums[out_momentum + a] = out.momentum[a];
@@ -89,6 +93,7 @@ EnergyBalance EnergyLedger<D>::balance(const Particles<D>& particles, const Outf
     e.dissipation_riemann = at(riemann);
     e.dissipation_mass_flux = at(mass_flux);
     e.dissipation_walls = at(at_walls);
+    e.viscous = at(viscous);
     if (!started_) start_total_ = e.total + e.outflow_energy;
     started_ = true;
     e.balance_error = e.total - start_total_ + e.outflow_energy + e.dissipation_riemann + e.dissipation_mass_flux +

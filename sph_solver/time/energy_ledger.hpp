@@ -57,7 +57,7 @@ private:
     void add_energies(std::vector<base::ReproducibleSum>& sums, const Particles<D>& particles) const;
 
     FluidModel<D> model_;
-    base::ReproducibleSum riemann_, mass_flux_; ///< dissipated on this rank so far
+    base::ReproducibleSum riemann_, mass_flux_, viscous_; ///< dissipated on this rank so far
     WallPower walls_;                           ///< work and loss at the walls so far, this rank
     bool started_ = false;
     double start_total_ = 0;

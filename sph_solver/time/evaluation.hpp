@@ -14,6 +14,7 @@ template<int D> struct Evaluation {
     Rates<D> rates;
     GradientField<D> gradient_sums; ///< complete, wall images included
     FluxField<D> fluxes;            ///< fluid pairs
+    std::vector<Vec<D>> viscous;    ///< force of the further terms on each owned particle [N]; empty: none
     WallForces<D> wall_forces;      ///< particles near walls, and their walls
 };
 

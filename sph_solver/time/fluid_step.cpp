@@ -38,6 +38,7 @@ template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& partic
     find_planes(particles);
     in_reach_.start(particles, parts_.search.list());
     evaluation_.rates.reset(particles.size());
+    evaluation_.viscous.assign(terms_.empty() ? 0 : particles.owned.size(), Vec<D>::Zero());
     first_pass(particles, particles.owned, inner); // while the state of the halo copies is on its way
     complete_state(particles);
     first_pass(particles, split_.halo, border);
@@ -89,14 +90,17 @@ void FluidStep<D>::second_pass(const Particles<D>& particles, const std::vector<
     const auto part = measure("pass 2: fluxes", Work::pair);
     records_.load_slopes(particles, model_.eos, which);
     add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_);
+    for (const auto& term : terms_)
+        term->add(evaluation_.rates, evaluation_.viscous, records_, in_reach_.reached(), rows);
 }
 
 template<int D> void FluidStep<D>::second_pass_at_walls(const Particles<D>& particles)
 {
     const auto part = measure("pass 2: walls", Work::image);
-    auto& [rates, sums, fluxes, wall_forces] = evaluation_;
-    add_fluid_wall_flux(rates, wall_forces, images_, parts_.walls, records_, model_);
-    add_gravity(rates, particles, model_.gravity);
+    find_wall_forces(evaluation_.wall_forces, images_, parts_.walls, records_, model_);
+    for (const auto& term : terms_) term->add_at_walls(evaluation_.wall_forces, images_, parts_.walls, records_);
+    add_wall_forces(evaluation_.rates, evaluation_.wall_forces, parts_.walls);
+    add_gravity(evaluation_.rates, particles, model_.gravity);
 }
 
 /// Waits for what the halo copies' owners have sent after the last stage, if they have.

@@ -4,6 +4,7 @@
 #include "coupler_lib/base/timer.hpp"
 #include "sph_solver/neighbours/neighbour_search.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/momentum_term.hpp"
 #include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/parallel/domain.hpp"
@@ -12,6 +13,7 @@
 #include "sph_solver/time/evaluation.hpp"
 #include "sph_solver/time/stage_update.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace sph {
@@ -39,6 +41,9 @@ public:
 
     /// Adds one who keeps account of every step; not owned.
     void add_observer(StageObserver<D>& observer) { observers_.push_back(&observer); }
+
+    /// Adds a further force between particles.
+    void add_term(std::unique_ptr<MomentumTerm<D>> term) { terms_.push_back(std::move(term)); }
 
     /// Spreads freshly made particles over the ranks and makes lists and derived fields: the state between steps.
     /// Collective.
@@ -84,6 +89,7 @@ private:
     RungeKutta runge_kutta_;
     FluidParts<D> parts_;
     std::vector<StageObserver<D>*> observers_;
+    std::vector<std::unique_ptr<MomentumTerm<D>>> terms_;
     PairRecords<D> records_;
     NeighboursInReach<D> in_reach_;
     WallImages<D> images_;

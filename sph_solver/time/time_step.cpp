@@ -30,7 +30,9 @@ double TimeStep::choose(double largest_sound_speed)
     const double wanted = rungs_per_octave * std::log2(settings_.sound_speed / largest_sound_speed);
     if (std::abs(wanted - rung_) > 0.75) rung_ = static_cast<int>(std::lround(wanted));
     const double foot = settings_.cfl * settings_.smoothing_length / settings_.sound_speed;
-    return foot * std::exp2(rung_ / rungs_per_octave);
+    const double h = settings_.smoothing_length;
+    const double viscous = settings_.viscosity > 0.0 ? 0.125 * h * h / settings_.viscosity : HUGE_VAL;
+    return std::min(foot * std::exp2(rung_ / rungs_per_octave), viscous);
 }
 
 template double TimeStep::next<2>(const Particles<2>&, const base::Communicator&);

@@ -12,6 +12,7 @@ struct TimeStepSettings {
     double smoothing_length = 0.0; ///< h [m]
     double sound_speed = 0.0;      ///< c0 [m/s], the foot of the ladder
     double fixed_dt = 0.0;         ///< [s]; 0: follow the sound speed
+    double viscosity = 0.0;        ///< kinematic, nu [m^2/s]
 };
 
 /// Chooses dt on a ladder of steps, so that it stays the same for long and the solid may keep its factorised matrix:
@@ -19,7 +20,7 @@ struct TimeStepSettings {
 ///     dt = (cfl h / c0) 2^(k/8),   k whole, next to cfl h / max(c)
 ///
 /// The present rung is kept as long as cfl h / max(c) is within 3/4 of a rung from it: the Courant number stays
-/// within 7 % of cfl.
+/// within 7 % of cfl. A viscous liquid bounds the step further, dt <= h^2 / (8 nu).
 class TimeStep {
 public:
     /// Throws Error(bad_input) when a size is not positive.

@@ -28,7 +28,8 @@ template<int D> struct WallPass {
     WallForces<D> forces(Rates<D>& rates) const
     {
         WallForces<D> result;
-        add_fluid_wall_flux(rates, result, images, walls, records, model);
+        find_wall_forces(result, images, walls, records, model);
+        add_wall_forces(rates, result, walls);
         return result;
     }
 };
