@@ -62,8 +62,10 @@ base::Table<NumericsConfig> numerics_table()
               .choices = {"exact", "two_rarefaction", "acoustic"}})
         .key("face_motion", &NumericsConfig::face_motion,
              {.doc = "faces between particles move with the pair's mean velocity, and mass is exchanged; or with the fluid: "
-                     "each particle keeps its mass",
-              .choices = {"mean", "fluid"}})
+                     "each particle keeps its mass; shifted: with the mean of particles that even out their distances",
+              .choices = {"mean", "fluid", "shifted"}})
+        .key("shift_strength", &NumericsConfig::shift_strength,
+             {.unit = "-", .doc = "how fast shifted particles even out, times the rate of strain", .min = 0, .max = 1000})
         .key("integrator", &NumericsConfig::integrator,
              {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order",
               .choices = {"rk2", "rk3", "rk4"}});

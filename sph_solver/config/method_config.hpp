@@ -43,6 +43,7 @@ struct NumericsConfig {
     std::string limiter = "van_albada";
     std::string riemann = "exact";
     std::string face_motion = "mean";
+    double shift_strength = 100.0;
     std::string integrator = "rk2";
 };
 

@@ -15,22 +15,40 @@ namespace sph {
 /// What crosses a face.
 template<class T> struct FaceTransport {
     T relative; ///< u - u_face [m/s]
-    T sweep;    ///< u_face [m/s]
+    T sweep;    ///< what the volume of i gains for each unit of S [m/s]
+};
+
+/// The shifting velocities of a pair along n.
+template<class T> struct FaceShift {
+    T mean{};      ///< (v_s,i + v_s,j)/2 . n [m/s]
+    T half_jump{}; ///< (v_s,j - v_s,i)/2 . n [m/s]
 };
 
 /// Key "mean": faces move with the mean velocity of their pair, and mass is exchanged (Vila's scheme, the default).
 struct MeanMotion {
-    static constexpr bool exchanges_mass = true, sweeps_volume = false;
-    template<class T> FaceTransport<T> operator()(T u) const { return {u, T{}}; }
+    static constexpr bool exchanges_mass = true, sweeps_volume = false, shifts = false;
+    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {u, T{}}; }
 };
 
 /// Key "fluid": faces move with the fluid, u_face = u. No mass is exchanged, each particle keeps its own; volume is.
 struct FluidMotion {
-    static constexpr bool exchanges_mass = false, sweeps_volume = true;
-    template<class T> FaceTransport<T> operator()(T u) const { return {T{}, u}; }
+    static constexpr bool exchanges_mass = false, sweeps_volume = true, shifts = false;
+    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {T{}, u}; }
+};
+
+/// Key "shifted": particles move with v + v_s, where v_s evens out their distances (operators/shifting.hpp), and faces
+/// with the mean of that; what the particles leave behind crosses the faces.
+struct ShiftedMotion {
+    static constexpr bool exchanges_mass = true, sweeps_volume = true, shifts = true;
+    double beta = 100.0; ///< strength of the shifting [-]
+
+    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>& shift) const
+    {
+        return {u - shift.mean, shift.half_jump};
+    }
 };
 
 /// The motion that a run uses, chosen in setup.
-using FaceMotion = std::variant<MeanMotion, FluidMotion>;
+using FaceMotion = std::variant<MeanMotion, FluidMotion, ShiftedMotion>;
 
 } // namespace sph

@@ -40,19 +40,20 @@ public:
     {
         const std::size_t capacity = filled + neighbours.longest / pack_size;
         frames_.resize(capacity);
+        shifts_.resize(capacity);
         area_.resize(capacity);
         faces_.resize(capacity);
         stars_.resize(capacity);
     }
 
     /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
-    template<class AnyLimiter>
-    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums, AnyLimiter limiter)
+    template<class AnyLimiter, class Motion>
+    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums, AnyLimiter limiter, Motion motion)
     {
         const double* state = records_.state(i);
         const double* slope = records_.slope(i);
         for (std::size_t n = 0; n < neighbours.size(); n += pack_size)
-            reconstruct_pack(state, slope, &neighbours[n], limiter);
+            reconstruct_pack(state, slope, &neighbours[n], limiter, motion);
         rows_[row_count_++] = {&sums, size_};
     }
 
@@ -80,9 +81,9 @@ private:
         std::size_t end = 0; // one past its last pack
     };
 
-    template<class AnyLimiter>
+    template<class AnyLimiter, class Motion>
     [[gnu::always_inline]] inline void reconstruct_pack(const double* state_i, const double* slope_i,
-                                                        const int* indices, AnyLimiter limiter)
+                                                        const int* indices, AnyLimiter limiter, Motion)
     {
         const auto state = load_columns<8>([this](int j) { return records_.state(j); }, indices);
         const auto slope =
@@ -104,7 +105,21 @@ private:
         const RatioView<Pack> q{Pack{} + state_i[2 * D], state[2 * D], along<D>(slope_i, pair.x),
                                 along<D>(slope.data(), pair.x)};
         faces_[size_] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
+        if constexpr (Motion::shifts) shifts_[size_] = face_shift(slope_i, slope, pair);
         frames_[size_++] = face_frame<D>(pair, mean_velocity);
+    }
+
+    static FaceShift<Pack> face_shift(const double* slope_i, const std::array<Pack, PairRecords<D>::slope_size>& slope,
+                                      const PairView<D, Pack>& pair)
+    {
+        constexpr std::size_t shift = PairRecords<D>::shift;
+        Pack sum{}, jump{};
+        for (std::size_t a = 0; a < D; ++a) {
+            sum += (slope[shift + a] + slope_i[shift + a]) * pair.x[a];
+            jump += (slope[shift + a] - slope_i[shift + a]) * pair.x[a];
+        }
+        const Pack half = 0.5 * pair.inverse_distance;
+        return {half * sum, half * jump};
     }
 
     template<class AnyRiemann> void solve_riemann_problems(AnyRiemann riemann)
@@ -118,7 +133,7 @@ private:
     {
         const Tait& eos = model_.eos;
         const FaceFrame<D, Pack>& frame = frames_[n];
-        const auto transport = motion(eos.c0 * stars_[n].u);
+        const auto transport = motion(eos.c0 * stars_[n].u, shifts_[n]);
         const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * frame.inverse_distance;
         auto& sums = packs.sums;
         for (std::size_t a = 0; a < D; ++a) sums[1 + D + a] = multiply_add(-pressure, frame.x[a], sums[1 + D + a]);
@@ -136,6 +151,7 @@ private:
     std::size_t size_ = 0, row_count_ = 0;
     std::array<Row, 32> rows_;
     std::vector<FaceFrame<D, Pack>> frames_;
+    std::vector<FaceShift<Pack>> shifts_;
     std::vector<Pack> area_;
     std::vector<FaceStates<Pack>> faces_;
     std::vector<StarState<Pack>> stars_;
@@ -148,7 +164,7 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
     if (rows.size() == 0) return;
     FaceBatch<D> batch(records, neighbours, model);
     rows.for_each([&](std::size_t k, int i) {
-        batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter);
+        batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter, motion);
         if (batch.full()) batch.solve(limiter, motion);
     });
     batch.solve(limiter, motion);

@@ -69,9 +69,9 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
     });
 }
 
-template<int D> bool well_conditioned(const Mat<D>& moment)
+template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit)
 {
-    const Mat<D> shifted = moment - 0.2 * Mat<D>::Identity();
+    const Mat<D> shifted = moment - limit * Mat<D>::Identity();
     bool positive = shifted(0, 0) > 0.0 && shifted.template topLeftCorner<2, 2>().determinant() > 0.0;
     if constexpr (D == 3) positive = positive && shifted.determinant() > 0.0;
     return positive;
@@ -85,7 +85,7 @@ template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, 
         rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
-        if (well_conditioned<D>(sum.moment)) {
+        if (eigenvalues_exceed<D>(sum.moment, least_eigenvalue)) {
             const Mat<D> inverse = sum.moment.inverse();
             particles.density_gradient[i] = inverse * sum.density;
             particles.velocity_gradient[i] = sum.velocity * inverse;
@@ -93,8 +93,8 @@ template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, 
     }
 }
 
-template bool well_conditioned<2>(const Mat<2>&);
-template bool well_conditioned<3>(const Mat<3>&);
+template bool eigenvalues_exceed<2>(const Mat<2>&, double);
+template bool eigenvalues_exceed<3>(const Mat<3>&, double);
 template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
                                             const RowSet&, const FluidModel<2>&);
 template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,

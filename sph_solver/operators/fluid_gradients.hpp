@@ -26,7 +26,10 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 ///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close)
 template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums);
 
-/// True where M may be inverted: its smallest eigenvalue exceeds 0.2 (by the minors of M - 0.2 I).
-template<int D> bool well_conditioned(const Mat<D>& moment);
+/// M may be inverted where its smallest eigenvalue exceeds this.
+inline constexpr double least_eigenvalue = 0.2;
+
+/// True where all eigenvalues of a symmetric matrix exceed a limit (by the minors of M - limit I).
+template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit);
 
 } // namespace sph

@@ -21,6 +21,7 @@ void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rh
     auto& record = slopes_[i].data;
     for (std::size_t a = 0; a < D; ++a) {
         record[a] = particles.density_gradient[i][a] * inverse_rho0;
+        record[shift + a] = particles.shift[i][a];
         for (std::size_t b = 0; b < D; ++b) record[D + a * D + b] = particles.velocity_gradient[i](a, b);
     }
 }

@@ -16,7 +16,7 @@ namespace sph {
 template<int D> class PairRecords {
 public:
     static constexpr std::size_t state_size = 8;               // x, v, q, w
-    static constexpr std::size_t slope_size = D == 2 ? 8 : 16; // grad q, grad v row by row
+    static constexpr std::size_t slope_size = D == 2 ? 8 : 16; // grad q, grad v row by row, v_s
 
     /// Reads position, velocity, density and volume. \pre derived fields are up to date on owned and halo particles.
     void load_states(const Particles<D>& particles, const Tait& eos);
@@ -29,6 +29,9 @@ public:
 
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }
+
+    /// Place of the shifting velocity in a slope record.
+    static constexpr std::size_t shift = D + D * D;
 
     static double ratio(const double* state) { return state[2 * D]; }
     static double volume(const double* state) { return state[2 * D + 1]; }

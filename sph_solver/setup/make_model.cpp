@@ -19,9 +19,10 @@ Riemann make_riemann(const std::string& name)
     return ExactRiemann{};
 }
 
-FaceMotion make_face_motion(const std::string& name)
+FaceMotion make_face_motion(const NumericsConfig& numerics)
 {
-    if (name == "fluid") return FluidMotion{};
+    if (numerics.face_motion == "fluid") return FluidMotion{};
+    if (numerics.face_motion == "shifted") return ShiftedMotion{numerics.shift_strength};
     return MeanMotion{};
 }
 
@@ -34,7 +35,7 @@ template<int D> FluidModel<D> make_model(const FluidConfig& config)
             make_limiter(config.numerics.limiter),
             Eigen::Map<const Vec<D>>(config.domain.gravity.data()),
             make_riemann(config.numerics.riemann),
-            make_face_motion(config.numerics.face_motion)};
+            make_face_motion(config.numerics)};
 }
 
 template FluidModel<2> make_model(const FluidConfig&);

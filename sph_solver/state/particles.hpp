@@ -37,6 +37,7 @@ struct Particles {
     // derived on owned particles by a neighbour sum, then sent to the halo copies
     std::vector<Vec<D>> density_gradient;   ///< grad rho [kg/m^4]
     std::vector<Mat<D>> velocity_gradient;  ///< (grad v)(a, b) = dv_a / dx_b [1/s]
+    std::vector<Vec<D>> shift;              ///< velocity of the particle beside that of the fluid in it [m/s]
 
     // ownership
     std::vector<int> owned;                 ///< local indices of my particles, ascending
@@ -52,7 +53,7 @@ struct Particles {
 };
 
 /// Time derivatives of the conserved fields, one entry for each local particle, filled for owned ones.
-/// (The position's derivative is the velocity.)
+/// (The position's derivative is velocity + shift.)
 template <int D>
 struct Rates {
     std::vector<double> volume;             ///< dw/dt [m^D/s]
@@ -84,7 +85,14 @@ constexpr auto field_table()
               &P::density_gradient},
         Field{FieldInfo{"velocity_gradient", "grad v", "1/s", "1/s", "gradient of the velocity, row = component",
                         derived},
-              &P::velocity_gradient});
+              &P::velocity_gradient},
+        Field{FieldInfo{"shift", "v_s", "m/s", "m/s", "velocity of the particle beside the fluid's", derived}, &P::shift});
+}
+
+/// dx_i/dt = v + v_s [m/s].
+template<int D> Vec<D> particle_velocity(const Particles<D>& particles, std::size_t i)
+{
+    return particles.velocity[i] + particles.shift[i];
 }
 
 /// Calls visit(info, column) for every field of the table, in its order.

@@ -4,6 +4,7 @@
 #include "sph_solver/operators/derived_fields.hpp"
 #include "sph_solver/operators/fluid_flux.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
+#include "sph_solver/operators/shifting.hpp"
 #include "sph_solver/operators/wall_gradients.hpp"
 #include "sph_solver/time/work_costs.hpp"
 
@@ -81,6 +82,8 @@ template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
     }
     const auto part = measure("pass 1: finish", Work::particle);
     finish_gradients(particles, evaluation_.rates, evaluation_.gradient_sums);
+    if (std::holds_alternative<ShiftedMotion>(model_.face_motion))
+        find_shifts(particles, records_, in_reach_.reached(), evaluation_.gradient_sums, parts_.walls, model_);
 }
 
 /// Fluxes through the faces of some rows, when the particles `which` have got their gradients.
@@ -149,7 +152,7 @@ template<int D> bool FluidStep<D>::lists_hold(const Particles<D>& particles, dou
 {
     double fastest = 0.0;
     for (const int i : particles.owned)
-        fastest = std::max(fastest, particles.velocity[static_cast<std::size_t>(i)].squaredNorm());
+        fastest = std::max(fastest, particle_velocity(particles, static_cast<std::size_t>(i)).squaredNorm());
     return parts_.search.largest_displacement(particles) + std::sqrt(fastest) * dt <= 0.5 * parts_.search.skin();
 }
 

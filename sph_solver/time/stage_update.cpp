@@ -21,12 +21,13 @@ void StageUpdate<D>::apply(Particles<D>& particles, const Stage& stage, const Ra
     for (std::size_t k = 0; k < start_.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         Conserved& change = change_[k];
-        change.position += share * particles.velocity[i];
+        const Vec<D> motion = particle_velocity(particles, i);
+        change.position += share * motion;
         change.momentum += share * rates.momentum[i];
         change.volume += share * rates.volume[i];
         change.mass += share * rates.mass[i];
         const Conserved& y = start_[k];
-        particles.position[i] = y.position + (last ? change.position : ahead * particles.velocity[i]);
+        particles.position[i] = y.position + (last ? change.position : ahead * motion);
         particles.momentum[i] = y.momentum + (last ? change.momentum : ahead * rates.momentum[i]);
         particles.volume[i] = y.volume + (last ? change.volume : ahead * rates.volume[i]);
         particles.mass[i] = y.mass + (last ? change.mass : ahead * rates.mass[i]);

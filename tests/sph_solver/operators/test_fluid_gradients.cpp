@@ -53,7 +53,7 @@ template<int D> void expect_linear_fields_exact()
     const LinearFlow<D> flow(density_slope, velocity_slope);
     std::size_t inverted = 0;
     for (std::size_t i = 0; i < flow.particles.size(); ++i) {
-        if (!well_conditioned<D>(flow.sums[i].moment)) continue;
+        if (!eigenvalues_exceed<D>(flow.sums[i].moment, least_eigenvalue)) continue;
         ++inverted;
         EXPECT_LT((flow.particles.density_gradient[i] - density_slope).norm(), 1e-7) << i;
         EXPECT_LT((flow.particles.velocity_gradient[i] - velocity_slope).norm(), 1e-10) << i;
@@ -120,7 +120,7 @@ template<int D> void expect_minors_agree_with_eigenvalues()
             for (int c = 0; c < D; ++c) a(r, c) = noise();
         const Mat<D> moment = a * a.transpose();
         const double smallest = Eigen::SelfAdjointEigenSolver<Mat<D>>(moment).eigenvalues()[0];
-        EXPECT_EQ(well_conditioned<D>(moment), smallest > 0.2) << smallest;
+        EXPECT_EQ(eigenvalues_exceed<D>(moment, least_eigenvalue), smallest > 0.2) << smallest;
     }
 }
 
