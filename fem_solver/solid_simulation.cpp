@@ -2,6 +2,7 @@
 #include "fem_solver/solid_simulation.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/material/stability.hpp"
 #include "fem_solver/output/state_hash.hpp"
 #include "fem_solver/time/static_solution.hpp"
 
@@ -42,6 +43,7 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
             predictor(config.newton)),
       motion_(Motion::at_rest(model_.forces().dofs()))
 {
+    report_stability();
     base::require_input(session.comm().size() == 1, "the solid runs on one rank, not on ", session.comm().size(),
                         ": start it with -n 1");
     if (session.coupled()) {
@@ -51,6 +53,16 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
         base::require_input(config.time.dt > 0 && config.time.end > 0, "[time] dt = ", config.time.dt,
                             " s and end = ", config.time.end, " s: a solid that runs alone needs both above zero");
     }
+}
+
+void SolidSimulation::report_stability() const
+{
+    const MaterialConfig& material = config_.material;
+    if (material.kinematics == "small") return;
+    const auto& range = material.stability_range;
+    const StabilityReport report = drucker_stability(make_material(material).law, range[0], range[1]);
+    const std::string line = base::text("material ", config_.material_name, " (", material.law, "): ", report.text);
+    report.stable ? session_.log().info(line) : session_.log().warn(line);
 }
 
 void SolidSimulation::check() const

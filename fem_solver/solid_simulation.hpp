@@ -22,6 +22,7 @@ public:
     void run();
 
 private:
+    void report_stability() const;
     void run_static();
     void run_alone();
     void run_coupled();

@@ -4,6 +4,7 @@
 #include "fem_solver/assembly/solid_body.hpp"
 #include "fem_solver/element/enhanced_modes.hpp"
 #include "fem_solver/element/gauss.hpp"
+#include "fem_solver/material/point_law.hpp"
 
 #include <Eigen/LU>
 
@@ -11,8 +12,8 @@
 
 namespace fem {
 
-/// SolidBody for one element shape and one law; everything of an element has a size known to the compiler.
-template<class Shape, class LawType> class ElementBody final : public SolidBody {
+/// SolidBody for one element shape; everything of an element has a size known to the compiler.
+template<class Shape> class ElementBody final : public SolidBody {
 public:
     static constexpr int D = Shape::dimension;
     static constexpr int N = Shape::nodes;
@@ -22,7 +23,7 @@ public:
     using Stiffness = Eigen::Matrix<double, D * N, D * N>;
     using Coupling = Eigen::Matrix<double, D * D, D * N>; // of the enhanced modes with the nodes
 
-    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, LawType law, double density, BodySettings settings);
+    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material, BodySettings settings);
 
     Inversion add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) override;
     void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) override;
@@ -56,7 +57,7 @@ private:
     static void add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k);
 
     const MatrixPattern* pattern_;
-    LawType law_;
+    std::unique_ptr<PointLaw<D>> law_;
     double density_;
     bool enhanced_;
     int count_; // integration points per element
@@ -84,12 +85,12 @@ Tensor<D> contract(const Gradient& gradient, const Eigen::Matrix<double, D * D, 
     return block;
 }
 
-template<class Shape, class LawType>
-ElementBody<Shape, LawType>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, LawType law, double density,
-                                         BodySettings settings)
+template<class Shape>
+ElementBody<Shape>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
+                                BodySettings settings)
     : pattern_(&pattern),
-      law_(law),
-      density_(density),
+      law_(make_point_law<D>(material.law)),
+      density_(material.density),
       enhanced_(can_enhance && settings.enhanced),
       connectivity_(mesh.connectivity),
       coordinates_(mesh.coordinates)
@@ -113,8 +114,8 @@ ElementBody<Shape, LawType>::ElementBody(const Mesh& mesh, const MatrixPattern& 
     if (enhanced_) modes_.assign(mesh.elements(), Modes::Zero());
 }
 
-template<class Shape, class LawType>
-auto ElementBody<Shape, LawType>::gather(const Eigen::VectorXd& field, int element) const -> Nodal
+template<class Shape>
+auto ElementBody<Shape>::gather(const Eigen::VectorXd& field, int element) const -> Nodal
 {
     Nodal u;
     const int* nodes = nodes_of(element);
@@ -122,8 +123,8 @@ auto ElementBody<Shape, LawType>::gather(const Eigen::VectorXd& field, int eleme
     return u;
 }
 
-template<class Shape, class LawType>
-auto ElementBody<Shape, LawType>::deformation(const Point& point, const Nodal& u, int element) const -> Tensor<D>
+template<class Shape>
+auto ElementBody<Shape>::deformation(const Point& point, const Nodal& u, int element) const -> Tensor<D>
 {
     Tensor<D> f = Tensor<D>::Identity();
     f.noalias() += u.lazyProduct(point.gradient.transpose());
@@ -132,30 +133,30 @@ auto ElementBody<Shape, LawType>::deformation(const Point& point, const Nodal& u
     return f;
 }
 
-template<class Shape, class LawType>
-auto ElementBody<Shape, LawType>::mode_system(int element, const Nodal& u) const -> ModeSystem
+template<class Shape>
+auto ElementBody<Shape>::mode_system(int element, const Nodal& u) const -> ModeSystem
 {
     ModeSystem system;
     for (const Point* p = points_of(element); p != points_of(element) + count_; ++p) {
         const Tensor<D> f = deformation(*p, u, element);
-        if (LawType::finite && !(f.determinant() > 0)) {
+        if (law_->finite() && !(f.determinant() > 0)) {
             system.inverted = true;
             return system;
         }
-        const Tensor<D> stress = law_.template stress<D>(f);
-        const Tangent<D> tangent = p->volume * law_.template tangent<D>(f);
+        const Tensor<D> stress = law_->stress(f);
+        const Tangent<D> tangent = p->volume * law_->tangent(f);
         system.force += p->volume * stress * p->enhanced;
         for (int j = 0; j < D; ++j) {
             const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, p->enhanced.col(j));
             for (int i = 0; i < D; ++i)
                 system.stiffness.template block<D, D>(D * i, D * j) += contract<D>(p->enhanced.col(i), slope);
         }
-        system.scale += p->volume * (stress.norm() + 1e-3 * law_.lame.mu) * p->enhanced.norm();
+        system.scale += p->volume * (stress.norm() + 1e-3 * law_->shear_modulus()) * p->enhanced.norm();
     }
     return system;
 }
 
-template<class Shape, class LawType> bool ElementBody<Shape, LawType>::relax_modes(int element, const Nodal& u)
+template<class Shape> bool ElementBody<Shape>::relax_modes(int element, const Nodal& u)
 {
     constexpr int max_iterations = 30;
     constexpr double tolerance = 1e-13;
@@ -176,8 +177,8 @@ template<class Shape, class LawType> bool ElementBody<Shape, LawType>::relax_mod
     return false;
 }
 
-template<class Shape, class LawType>
-Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)
+template<class Shape>
+Inversion ElementBody<Shape>::add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     for (int e = 0; e < elements; ++e) {
@@ -186,9 +187,8 @@ Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd&
         Nodal nodal = Nodal::Zero();
         for (const Point* p = points_of(e); p != points_of(e) + count_; ++p) {
             const Tensor<D> f = deformation(*p, u, e);
-            if constexpr (LawType::finite)
-                if (const double det = f.determinant(); !(det > 0)) return {e, det};
-            const Tensor<D> stress = p->volume * law_.template stress<D>(f);
+            if (const double det = f.determinant(); law_->finite() && !(det > 0)) return {e, det};
+            const Tensor<D> stress = p->volume * law_->stress(f);
             nodal.noalias() += stress.lazyProduct(p->gradient);
         }
         const int* nodes = nodes_of(e);
@@ -197,9 +197,9 @@ Inversion ElementBody<Shape, LawType>::add_internal_force(const Eigen::VectorXd&
     return {};
 }
 
-template<class Shape, class LawType>
+template<class Shape>
 template<class Rows, class Block>
-void ElementBody<Shape, LawType>::add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k)
+void ElementBody<Shape>::add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k)
 {
     for (int b = 0; b < N; ++b) {
         const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, gradient.col(b));
@@ -207,8 +207,8 @@ void ElementBody<Shape, LawType>::add_products(const Tangent<D>& tangent, const 
     }
 }
 
-template<class Shape, class LawType>
-void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
+template<class Shape>
+void ElementBody<Shape>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     for (int e = 0; e < elements; ++e) {
@@ -217,7 +217,7 @@ void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacem
         Stiffness k = Stiffness::Zero();
         Coupling coupling = Coupling::Zero();
         for (const Point* p = points_of(e); p != points_of(e) + count_; ++p) {
-            const Tangent<D> tangent = p->volume * law_.template tangent<D>(deformation(*p, u, e));
+            const Tangent<D> tangent = p->volume * law_->tangent(deformation(*p, u, e));
             add_products(tangent, p->gradient, p->gradient, k);
             if constexpr (can_enhance)
                 if (enhanced_) add_products(tangent, p->enhanced, p->gradient, coupling);
@@ -228,7 +228,7 @@ void ElementBody<Shape, LawType>::add_stiffness(const Eigen::VectorXd& displacem
     }
 }
 
-template<class Shape, class LawType> void ElementBody<Shape, LawType>::add_mass(Matrix& matrix) const
+template<class Shape> void ElementBody<Shape>::add_mass(Matrix& matrix) const
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     const Eigen::Map<const Eigen::VectorXd> positions(coordinates_.data(), std::ssize(coordinates_));
@@ -248,8 +248,8 @@ template<class Shape, class LawType> void ElementBody<Shape, LawType>::add_mass(
     }
 }
 
-template<class Shape, class LawType>
-double ElementBody<Shape, LawType>::strain_energy(const Eigen::VectorXd& displacement)
+template<class Shape>
+double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     double energy = 0;
@@ -257,13 +257,13 @@ double ElementBody<Shape, LawType>::strain_energy(const Eigen::VectorXd& displac
         const Nodal u = gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         for (const Point* p = points_of(e); p != points_of(e) + count_; ++p)
-            energy += p->volume * law_.template energy<D>(deformation(*p, u, e));
+            energy += p->volume * law_->energy(deformation(*p, u, e));
     }
     return energy;
 }
 
-template<class Shape, class LawType>
-std::vector<double> ElementBody<Shape, LawType>::stress(const Eigen::VectorXd& displacement)
+template<class Shape>
+std::vector<double> ElementBody<Shape>::stress(const Eigen::VectorXd& displacement)
 {
     const int elements = static_cast<int>(connectivity_.size()) / N;
     std::vector<double> result;
@@ -272,24 +272,19 @@ std::vector<double> ElementBody<Shape, LawType>::stress(const Eigen::VectorXd& d
         if (enhanced_) relax_modes(e, u);
         Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
         for (const Point* p = points_of(e); p != points_of(e) + count_; ++p)
-            mean += cauchy_stress<LawType, D>(law_, deformation(*p, u, e)) / count_;
+            mean += law_->cauchy(deformation(*p, u, e)) / count_;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) result.push_back(mean(i, j));
     }
     return result;
 }
 
-/// The body of a shape with the law of a material. Each shape has its own source file.
+/// The body of a shape. Each shape has its own source file.
 template<class Shape>
 std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
                                              const BodySettings& settings)
 {
-    return std::visit(
-        [&](const auto& law) -> std::unique_ptr<SolidBody> {
-            using Body = ElementBody<Shape, std::decay_t<decltype(law)>>;
-            return std::make_unique<Body>(mesh, pattern, law, material.density, settings);
-        },
-        material.law);
+    return std::make_unique<ElementBody<Shape>>(mesh, pattern, material, settings);
 }
 
 } // namespace fem

@@ -33,16 +33,32 @@ base::Table<MaterialConfig> material_table()
 {
     return base::Table<MaterialConfig>("the solid's material")
         .key("law", &MaterialConfig::law,
-             {.doc = "elastic: Hooke (small kinematics) or St. Venant-Kirchhoff (finite); neo_hookean: for rubber",
-              .choices = {"elastic", "neo_hookean"}})
-        .key("E", &MaterialConfig::young, {.unit = "Pa", .doc = "Young's modulus", .positive = true, .required = true})
+             {.doc = "elastic: Hooke (small kinematics) or St. Venant-Kirchhoff (finite), neo_hookean, both from E; "
+                     "mooney_rivlin: from c10, c01; ogden: from mu, alpha; marlow: from a measured curve. All but "
+                     "elastic: energy psi(shape) + K/2 (J - 1)^2, K from the shear modulus and nu",
+              .choices = {"elastic", "neo_hookean", "mooney_rivlin", "ogden", "marlow"}})
+        .key("E", &MaterialConfig::young, {.unit = "Pa", .doc = "Young's modulus; elastic, neo_hookean", .min = 0})
         .key("nu", &MaterialConfig::poisson,
              {.unit = "-", .doc = "Poisson's ratio", .min = -0.99, .max = 0.49999, .required = true})
         .key("density", &MaterialConfig::density,
              {.unit = "kg/m^3", .doc = "in the reference state", .positive = true, .required = true})
         .key("kinematics", &MaterialConfig::kinematics,
              {.doc = "finite: displacements and rotations of any size; small: linear, law elastic only",
-              .choices = {"finite", "small"}});
+              .choices = {"finite", "small"}})
+        .key("c10", &MaterialConfig::c10, {.unit = "Pa", .doc = "mooney_rivlin: psi = c10 (I1 - 3) + c01 (I2 - 3)"})
+        .key("c01", &MaterialConfig::c01, {.unit = "Pa", .doc = "mooney_rivlin; the shear modulus is 2 (c10 + c01)"})
+        .key("mu", &MaterialConfig::moduli,
+             {.unit = "Pa",
+              .doc = "ogden: psi = sum 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha - 3); they add up to the shear "
+                     "modulus"})
+        .key("alpha", &MaterialConfig::exponents, {.unit = "-", .doc = "ogden: exponents, as many as mu, none zero"})
+        .key("curve", &MaterialConfig::curve,
+             {.doc = "marlow: CSV of a tension test with the columns strain[-] and stress[Pa], both nominal; a path "
+                     "from the folder of this file"})
+        .key("stability_range", &MaterialConfig::stability_range,
+             {.unit = "-", .doc = "principal stretches within which the law's Drucker stability is looked at",
+              .min = 0.01,
+              .max = 100});
 }
 
 base::Table<GravityConfig> gravity_table()

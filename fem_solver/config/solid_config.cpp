@@ -3,7 +3,9 @@
 
 #include "coupler_lib/foundation/check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace fem {
@@ -35,6 +37,28 @@ void check_mesh(const SolidConfig& config, const base::ConfigReader& reader)
     }
 }
 
+/// What the chosen law needs beyond the ranges of the single keys.
+void check_law(const MaterialConfig& material, const base::ConfigReader& reader, const std::string& path)
+{
+    const auto require = [&](bool holds, const char* key, const std::string& what) {
+        base::require_input(holds, reader.where(path + "." + key), ": the law ", material.law, " needs ", what);
+    };
+    if (material.law == "elastic" || material.law == "neo_hookean")
+        require(material.young > 0, "E", "E [Pa] above zero");
+    if (material.law == "mooney_rivlin")
+        require(material.c10 + material.c01 > 0, "c10", "c10 and c01 [Pa] with a sum above zero");
+    if (material.law == "marlow") require(!material.curve.empty(), "curve", "curve = \"FILE.csv\"");
+    require(material.law == "elastic" || material.kinematics == "finite", "kinematics",
+            "finite kinematics: small kinematics goes with the law elastic only");
+    if (material.law != "ogden") return;
+    require(!material.moduli.empty() && material.moduli.size() == material.exponents.size(), "mu",
+            "mu and alpha, as many of both");
+    require(std::ranges::count(material.exponents, 0.0) == 0, "alpha", "exponents that are not zero");
+    double sum = 0;
+    for (const double mu : material.moduli) sum += mu;
+    require(sum > 0, "mu", "moduli with a sum above zero");
+}
+
 void check_material(SolidConfig& config, const base::ConfigReader& reader,
                     const std::vector<std::pair<std::string, MaterialConfig>>& materials)
 {
@@ -42,9 +66,13 @@ void check_material(SolidConfig& config, const base::ConfigReader& reader,
                         materials.size());
     config.material_name = materials.front().first;
     config.material = materials.front().second;
-    base::require_input(config.material.law == "elastic" || config.material.kinematics == "finite",
-                        reader.where("material." + config.material_name + ".kinematics"),
-                        ": small kinematics goes with the law elastic only");
+    const std::string path = "material." + config.material_name;
+    check_law(config.material, reader, path);
+    std::string& curve = config.material.curve;
+    if (!curve.empty()) curve = (std::filesystem::path(reader.file_name()).parent_path() / curve).string();
+    const auto& range = config.material.stability_range;
+    base::require_input(range.size() == 2 && range[0] < 1 && range[1] > 1, reader.where(path + ".stability_range"),
+                        ": stability_range needs two stretches, one below and one above 1");
 }
 
 void check_load(const LoadConfig& load, const base::ConfigReader& reader, const std::string& path, int dimension)

@@ -7,9 +7,9 @@
 
 namespace fem {
 
-/// A material is a small struct with three pure functions of the deformation gradient F = I + du/dX:
-/// energy(F) [J/m^3], stress(F) = first Piola-Kirchhoff stress P [Pa], tangent(F) = dP/dF [Pa] as a D^2 x D^2 matrix
-/// on F's entries in column order. D = 2 means plane strain: F_33 = 1.
+/// A material is a small struct with its shear_modulus() at small strain [Pa] and three pure functions of the
+/// deformation gradient F = I + du/dX: energy(F) [J/m^3], stress(F) = first Piola-Kirchhoff stress P [Pa],
+/// tangent(F) = dP/dF [Pa] as a D^2 x D^2 matrix on F's entries in column order. D = 2 means plane strain: F_33 = 1.
 template<int D> using Tensor = Eigen::Matrix<double, D, D>;
 template<int D> using Tangent = Eigen::Matrix<double, D * D, D * D>;
 
@@ -19,6 +19,8 @@ template<int D> using Tangent = Eigen::Matrix<double, D * D, D * D>;
 struct SmallElastic {
     static constexpr bool finite = false;
     Lame lame;
+
+    double shear_modulus() const { return lame.mu; }
 
     template<int D> double energy(const Tensor<D>& f) const
     {
@@ -57,6 +59,8 @@ private:
 struct SaintVenantKirchhoff {
     static constexpr bool finite = true;
     Lame lame;
+
+    double shear_modulus() const { return lame.mu; }
 
     template<int D> double energy(const Tensor<D>& f) const
     {

@@ -18,4 +18,9 @@ struct Lame {
     }
 };
 
+/// Bulk modulus that belongs to a shear modulus and Poisson's ratio at small strain.
+///
+///     K = 2 mu (1 + nu) / (3 (1 - 2 nu))      [Pa]
+inline double bulk_modulus(double mu, double poisson) { return 2 * mu * (1 + poisson) / (3 * (1 - 2 * poisson)); }
+
 } // namespace fem

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "fem_solver/material/marlow.hpp"
 #include "fem_solver/material/neo_hookean.hpp"
+#include "fem_solver/material/ogden.hpp"
 
 #include <variant>
 
 namespace fem {
 
-/// One of the known laws.
-using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean>;
+/// One of the known laws (Mooney-Rivlin is a case of Ogden's).
+using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean, Ogden, Marlow>;
 
 /// A law and the mass density in the reference state [kg/m^3].
 struct Material {

@@ -19,6 +19,8 @@ struct NeoHookean {
     static constexpr bool finite = true;
     Lame lame;
 
+    double shear_modulus() const { return lame.mu; }
+
     template<int D> double energy(const Tensor<D>& f) const
     {
         const double j = f.determinant(), i1 = first_invariant<D>(f), r = std::cbrt(j);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/setup/solid_model.hpp"
 
+#include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/foundation/check.hpp"
 #include "fem_solver/assembly/pressure_load.hpp"
 #include "fem_solver/mesh/block_mesh.hpp"
@@ -15,6 +16,17 @@ ElementType element_type(const std::string& name)
     for (const ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::hexa8, ElementType::hexa20})
         if (name_of(type) == name) return type;
     throw base::Error(base::ExitCode::bad_input, "unknown element \"" + name + "\"");
+}
+
+Marlow marlow(const std::string& path, double poisson)
+{
+    const base::CsvTable table = base::read_csv(path);
+    try {
+        auto curve = std::make_shared<const UniaxialCurve>(table.column("strain"), table.column("stress"));
+        return {{curve}, bulk_modulus(curve->shear_modulus(), poisson)};
+    } catch (const base::Error& error) {
+        throw base::Error(error.code(), path + ": " + error.what());
+    }
 }
 
 PressureField pressure_field(const LoadConfig& load, int dimension)
@@ -33,7 +45,19 @@ Mesh make_mesh(const MeshConfig& config)
 
 Material make_material(const MaterialConfig& config)
 {
-    const Lame lame = Lame::from_young(config.young, config.poisson);
+    const double nu = config.poisson;
+    const Lame lame = Lame::from_young(config.young, nu);
+    if (config.law == "mooney_rivlin") {
+        const double bulk = bulk_modulus(2 * (config.c10 + config.c01), nu);
+        return {mooney_rivlin(config.c10, config.c01, bulk), config.density};
+    }
+    if (config.law == "ogden") {
+        OgdenEnergy energy;
+        for (std::size_t p = 0; p < config.moduli.size(); ++p)
+            energy.terms.push_back({config.moduli[p], config.exponents[p]});
+        return {Ogden{energy, bulk_modulus(energy.shear_modulus(), nu)}, config.density};
+    }
+    if (config.law == "marlow") return {marlow(config.curve, nu), config.density};
     if (config.law == "neo_hookean") return {NeoHookean{lame}, config.density};
     if (config.kinematics == "small") return {SmallElastic{lame}, config.density};
     return {SaintVenantKirchhoff{lame}, config.density};

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace {
 
 using namespace fem;
@@ -87,6 +89,36 @@ TEST(SolidConfig, NamesWhatIsWrong)
     expect_error(replaced("traction = [3.0, 0.0]", "traction = [3.0]"), "needs 2");
     expect_error(replaced("[material.rubber]", "[material.other]\nE = 1\nnu = 0\ndensity = 1\n[material.rubber]"),
                  "one table [material.NAME]");
+}
+
+std::string with_law(const std::string& keys)
+{
+    return replaced("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3", keys);
+}
+
+TEST(SolidConfig, KnowsTheLawsOfRubber)
+{
+    const auto law = [](const std::string& keys) { return make_material(read(with_law(keys)).material).law; };
+    const auto mr = std::get<Ogden>(law("law = \"mooney_rivlin\"\nc10 = 1.6e6\nc01 = 0.4e6\nnu = 0.4"));
+    EXPECT_NEAR(mr.shear_modulus(), 4e6, 1e-6);
+    EXPECT_NEAR(mr.bulk, 2 * 4e6 * 1.4 / 0.6, 1e-6);
+    EXPECT_EQ(std::get<Ogden>(law("law = \"ogden\"\nmu = [3e6, 1e6]\nalpha = [1.3, -2.0]\nnu = 0.4")).shape.terms.size(),
+              2u);
+    const std::string path = testing::TempDir() + "rivage_curve.csv";
+    std::ofstream(path) << "# made up\nstrain[-],stress[Pa]\n0.1,1.0e6\n0.5,3.0e6\n";
+    const auto marlow = std::get<Marlow>(law("law = \"marlow\"\ncurve = \"" + path + "\"\nnu = 0.49"));
+    EXPECT_EQ(marlow.shape.curve->last_strain(), 0.5);
+}
+
+TEST(SolidConfig, NamesWhatALawLacks)
+{
+    expect_error(with_law("law = \"neo_hookean\"\nnu = 0.3"), "E [Pa] above zero");
+    expect_error(with_law("law = \"mooney_rivlin\"\nnu = 0.3"), "c10 and c01");
+    expect_error(with_law("law = \"ogden\"\nmu = [1e6]\nnu = 0.3"), "as many of both");
+    expect_error(with_law("law = \"ogden\"\nmu = [1e6]\nalpha = [0.0]\nnu = 0.3"), "not zero");
+    expect_error(with_law("law = \"marlow\"\nnu = 0.3"), "curve = ");
+    expect_error(with_law("law = \"marlow\"\ncurve = \"missing.csv\"\nnu = 0.3"), "missing.csv");
+    expect_error(with_law("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3\nstability_range = [1.5, 2.0]"), "stability_range");
 }
 
 } // namespace
