@@ -107,7 +107,8 @@ def main() -> int:
     try:
         work = []
         for folder in find_cases(arguments.cases):
-            chosen = [planned for planned in plan(folder) if planned.test == arguments.test and (is_awaited(planned) or not planned.test)
+            chosen = [planned for planned in plan(folder) if planned.test == arguments.test
+                      and (is_awaited(planned) or not planned.test)
                       and (not arguments.names or planned.name in arguments.names)]
             work += [(folder, chosen)] if chosen else []
     except ValueError as error:

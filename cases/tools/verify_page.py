@@ -22,8 +22,9 @@ def reference(record: dict) -> tuple[str, str, str]:
     value, wanted, tolerance = record["value"], record["reference"], record["tolerance"]
     if isinstance(wanted, list):
         low, high = wanted
-        band = f"{number(low)} to {number(high)}" if None not in wanted else f"<= {number(high)}" if low is None else f">= {number(low)}"
-        return band if wanted != [None, None] else "", "", ""
+        if None not in wanted:
+            return f"{number(low)} to {number(high)}", "", ""
+        return f">= {number(low)}" if high is None and low is not None else f"<= {number(high)}" if high is not None else "", "", ""
     if value is None:
         return number(wanted), "", number(tolerance)
     if record["kind"] == "relative" and wanted:
@@ -40,14 +41,14 @@ def row(cells) -> str:
 
 
 def figure_row(record: dict) -> str:
-    return row((record["case"], record["quantity"], number(record["value"]) or "-", *reference(record), verdict(record), record["source"],
-                record.get("run", ""), number(record.get("dx")), record.get("ranks", ""), number(record.get("wall_s"))))
+    return row((record["case"], record["quantity"], number(record["value"]) or "-", *reference(record), verdict(record),
+                record["source"], record.get("run", ""), number(record.get("dx")), record.get("ranks", ""), number(record.get("wall_s"))))
 
 
 def convergence_row(record: dict) -> str:
     wanted, _, _ = reference(record)
-    return row((record["case"], record["quantity"], record.get("detail", "-"), number(record["value"]) or "-", wanted, verdict(record),
-                record["source"]))
+    return row((record["case"], record["quantity"], record.get("detail", "-"), number(record["value"]) or "-", wanted,
+                verdict(record), record["source"]))
 
 
 def miss_row(record: dict) -> str:
