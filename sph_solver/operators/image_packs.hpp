@@ -21,14 +21,14 @@ template<int D> struct MirrorStep {
     bool no_slip = false;
 
     MirrorStep() = default;
-    MirrorStep(const MirrorPlane<D>& plane, const Vec<D>& gravity, double c0)
+    MirrorStep(const MirrorPlane<D>& plane, const Vec<D>& gravity, double c0, double push)
         : offset(plane.point.dot(plane.normal)),
           pull((gravity - plane.acceleration).dot(plane.normal) / (c0 * c0)),
           no_slip(plane.no_slip)
     {
         for (int a = 0; a < D; ++a) {
             normal[static_cast<std::size_t>(a)] = plane.normal[a];
-            velocity[static_cast<std::size_t>(a)] = plane.velocity[a] + plane.push * plane.normal[a];
+            velocity[static_cast<std::size_t>(a)] = plane.velocity[a] + push * plane.normal[a];
         }
     }
 };
@@ -59,12 +59,15 @@ template<int D> struct ImagePack {
 /// The path of a group, forwards for values and backwards for gradients.
 template<int D> class MirrorPath {
 public:
+    /// \param pushes whether walls push what comes too near: in the forces, not in the volumes' rates
     MirrorPath(const ImageGroup& group, const std::vector<MirrorPlane<D>>& planes, const WallSettings<D>& settings,
-               double c0)
+               double c0, bool pushes)
         : order_(static_cast<std::size_t>(group.order)), least_height_(0.5 * settings.image_distance * settings.spacing)
     {
-        for (std::size_t k = 0; k < order_; ++k)
-            steps_[k] = MirrorStep<D>(planes[static_cast<std::size_t>(group.path[k])], settings.gravity, c0);
+        for (std::size_t k = 0; k < order_; ++k) {
+            const MirrorPlane<D>& plane = planes[static_cast<std::size_t>(group.path[k])];
+            steps_[k] = MirrorStep<D>(plane, settings.gravity, c0, pushes ? plane.push : 0.0);
+        }
     }
 
     /// x' = x - 2 s n, q' = q - 2 s slope, v' as the wall wants it, one mirroring after the other.

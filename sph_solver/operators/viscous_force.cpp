@@ -55,7 +55,7 @@ void ViscousForce<D>::add_at_walls(WallForces<D>& forces, const WallImages<D>& i
     const auto& [contacts, planes, footprints] = walls.contacts();
     for (const ImageGroup& group : images.groups()) {
         const double* state = records.state(contacts[group.contact].particle);
-        const MirrorPath<D> path(group, planes, walls.settings(), model_.eos.c0);
+        const MirrorPath<D> path(group, planes, walls.settings(), model_.eos.c0, false);
         PackVector<D> sum{}, x, jump;
         for (std::size_t n = group.begin; n < group.end; n += pack_size) {
             const auto source = load_columns<8>([&](int j) { return records.state(j); }, images.sources() + n);

@@ -91,7 +91,7 @@ void sum_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<
     const auto& [contacts, planes, footprints] = walls.contacts();
     ImageFaces<D> faces(images, records, model);
     for (const ImageGroup& group : images.groups()) {
-        const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0);
+        const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, true);
         const Vec<D> force = faces.force(group, contacts[group.contact].particle, path, limiter);
         forces.on_particle[group.contact] -= force;
         share_out(force, group, planes, forces.on_wall);

@@ -48,7 +48,7 @@ void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& imag
     for (const ImageGroup& group : images.groups()) {
         const WallContact& contact = contacts[group.contact];
         const double* state_i = records.state(contact.particle);
-        const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0);
+        const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, false);
         ImageSums<D> group_sums;
         for (std::size_t n = group.begin; n < group.end; n += pack_size) {
             const auto source = load_columns<8>(state_of, images.sources() + n);

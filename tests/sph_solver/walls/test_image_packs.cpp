@@ -47,23 +47,38 @@ template<int D> struct Plain {
             return PrimitiveState<D>{particles.density[i], particles.velocity[i], particles.density_gradient[i],
                                      particles.velocity_gradient[i]};
         };
+        auto calm_planes = walls.contacts().planes; // volumes do not feel the push
+        for (auto& plane : calm_planes) plane.push = 0;
+        const auto image_state = [&](const Image<D>& image) {
+            const auto j = static_cast<std::size_t>(image.source);
+            PrimitiveState<D> state = state_of(j);
+            mirror_state(state, image, particles.sound_speed[j], walls.settings());
+            return state;
+        };
+        const auto weighted_path = [&](const Image<D>& image) -> Vec<D> {
+            const double r = std::sqrt(image.squared_distance);
+            const double volume = particles.volume[static_cast<std::size_t>(image.source)];
+            return (image.weight * volume * model.kernel.slope(r) / r) * image.x_ij;
+        };
+        const ImageFinder<D> finder(walls.settings());
         for (const WallContact& contact : walls.contacts().contacts) {
             const auto i = static_cast<std::size_t>(contact.particle);
             Vec<D> total = Vec<D>::Zero();
-            const auto add = [&](const Image<D>& image) {
-                const auto j = static_cast<std::size_t>(image.source);
-                PrimitiveState<D> state = state_of(j);
-                mirror_state(state, image, particles.sound_speed[j], walls.settings());
-                const double r = std::sqrt(image.squared_distance);
-                const Vec<D> weighted = (image.weight * particles.volume[j] * model.kernel.slope(r) / r) * image.x_ij;
+            const auto add_gradients = [&](const Image<D>& image) {
+                const PrimitiveState<D> state = image_state(image);
+                const Vec<D> weighted = weighted_path(image);
                 sums[contact.row].moment += image.x_ij * weighted.transpose();
                 sums[contact.row].velocity += (state.velocity - particles.velocity[i]) * weighted.transpose();
                 sums[contact.row].density += (state.density - particles.density[i]) * weighted;
-                const double p = pair_flux(state_of(i), state, image.x_ij, model.eos, VanAlbada{}, true).pressure;
-                total -= 2 * particles.volume[i] * p * weighted;
             };
-            ImageFinder<D>(walls.settings())
-                .for_each(contact, walls.contacts().planes, particles.position, neighbours.of(contact.row), add);
+            const auto add_force = [&](const Image<D>& image) {
+                const PrimitiveState<D> state = image_state(image);
+                const double p = pair_flux(state_of(i), state, image.x_ij, model.eos, VanAlbada{}, true).pressure;
+                total -= 2 * particles.volume[i] * p * weighted_path(image);
+            };
+            const auto row = neighbours.of(contact.row);
+            finder.for_each(contact, calm_planes, particles.position, row, add_gradients);
+            finder.for_each(contact, walls.contacts().planes, particles.position, row, add_force);
             force.push_back(total);
         }
     }
