@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/walls/contact_finder.hpp"
 
+#include "sph_solver/walls/facet_sides.hpp"
+
 #include <algorithm>
 #include <numbers>
 
@@ -8,35 +10,9 @@ namespace sph {
 
 namespace {
 constexpr double touch_tolerance = 0.05; // [dx]
+constexpr double shut_gap = 0.25;        // [dx] a narrower gap between two faces holds no fluid
 constexpr double deepest_inside = 0.5;   // [dx] deeper than this, a particle is on the other side of the wall
 constexpr double cos_flat = 0.99985;     // facets within 1 degree of the plane need no cut
-constexpr double cos_opposite = -0.5;    // faces turned away further are the far side of a plate
-
-/// Unit vector in the facet, across the side opposite to corner `side` and out of the facet.
-Vec<2> away_from_side(const base::Simplex<2>& corners, int side)
-{
-    const auto s = static_cast<std::size_t>(side);
-    return (corners[1 - s] - corners[s]).normalized();
-}
-Vec<3> away_from_side(const base::Simplex<3>& corners, int side)
-{
-    const auto s = static_cast<std::size_t>(side);
-    const Vec<3>& from = corners[(s + 1) % 3];
-    const Vec<3> edge = (corners[(s + 2) % 3] - from).normalized(), across = from - corners[s];
-    return (across - across.dot(edge) * edge).normalized();
-}
-
-/// The angle that a facet takes up around one of its own points, in half turns; all ends of segments count alike.
-double angle_at(const base::Simplex<2>&, const std::array<double, 2>&) { return 1.0; }
-double angle_at(const base::Simplex<3>& corners, const std::array<double, 3>& weight)
-{
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (weight[c] < 1) continue;
-        const Vec<3> a = corners[(c + 1) % 3] - corners[c], b = corners[(c + 2) % 3] - corners[c];
-        return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0)) / std::numbers::pi;
-    }
-    return 1.0;
-}
 
 } // namespace
 
@@ -230,11 +206,46 @@ template<int D> void ContactFinder<D>::add_cuts(MirrorPlane<D>& plane, int facet
     const auto& corners = facets_.corners(facet);
     const Vec<D>& normal = facets_.normal(facet);
     const double turn = normal.dot(plane.normal);
-    if (turn < cos_flat && turn >= cos_opposite && lies_behind(plane, facet)) add_cut(plane, normal, corners[0]);
+    if (turn < cos_flat && lies_behind(plane, facet)) {
+        if (turn < cos_opposite)
+            add_sight_cuts(plane, facet);
+        else if (!is_shut(plane, facet))
+            add_cut(plane, normal, corners[0]);
+    }
     for (int c = 0; c < D; ++c) {
         const int side = (c + D - 1) % D;
         if (touching_.is_free_side(facet, side))
             add_cut(plane, away_from_side(corners, side), corners[static_cast<std::size_t>(c)]);
+    }
+}
+
+/// Does another body stand right before the facet, so that there is no fluid to cut for?
+template<int D> bool ContactFinder<D>::is_shut(const MirrorPlane<D>& plane, int facet) const
+{
+    const Vec<D> nearest = base::closest_point(facets_.corners(facet), plane.point).point;
+    const double gap = shut_gap * spacing_;
+    return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
+        return facets_[near.facet].body != facets_[facet].body &&
+               facets_.normal(near.facet).dot(facets_.normal(facet)) < -0.9 &&
+               base::closest_point(facets_.corners(near.facet), nearest).squared_distance < gap * gap;
+    });
+}
+
+/// The far face of a wedge or a plate hides what is beyond it, but for what the particle sees past their common edge: a
+/// cut through the particle and the edge.
+template<int D> void ContactFinder<D>::add_sight_cuts(MirrorPlane<D>& plane, int facet) const
+{
+    const auto& corners = facets_.corners(facet);
+    const Vec<D> x = plane.point + plane.distance * plane.normal;
+    for (int s = 0; s < D; ++s) {
+        const Vec<D> on_side = middle_of_side(corners, s);
+        const bool is_edge = std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
+            if (facets_.normal(near.facet).dot(plane.normal) < cos_opposite) return false;
+            const auto closest = base::closest_point(facets_.corners(near.facet), on_side);
+            return closest.squared_distance <= tolerance_ * tolerance_;
+        });
+        const Vec<D> normal = past_side(x, corners, s);
+        if (is_edge && normal.norm() > tolerance_ * spacing_) add_cut(plane, normal.normalized(), on_side);
     }
 }
 
@@ -246,7 +257,8 @@ template<int D> void ContactFinder<D>::add_cut(MirrorPlane<D>& plane, const Vec<
     if (normal.dot(plane.point + plane.distance * plane.normal) < offset - support_) return;
     for (std::size_t c = 0; c < plane.cut_count; ++c)
         if (normal.dot(plane.cuts[c].normal) > cos_flat && std::abs(offset - plane.cuts[c].offset) < tolerance_) return;
-    plane.cuts[plane.cut_count++] = {normal, offset};
+    const double turn = normal.dot(plane.normal);
+    plane.cuts[plane.cut_count++] = {normal, offset, std::sqrt(std::max(1e-4, 1 - turn * turn))};
 }
 
 template class ContactFinder<2>;

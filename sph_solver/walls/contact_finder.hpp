@@ -10,6 +10,10 @@
 
 namespace sph {
 
+/// Cosine beyond which two faces are the two sides of a plate or a sharp wedge: nobody sees from one to the other. (120
+/// degrees and a little more, so that rounding does not decide on wedges of 60 degrees.)
+inline constexpr double cos_opposite = -0.5001;
+
 /// Finds the planes in which the neighbours of a particle are mirrored.
 ///
 /// The nearest point of all facets gives the first plane, with n = (x_i - x_w)/|x_i - x_w|, turned outwards where the
@@ -49,6 +53,8 @@ private:
     bool lies_behind(const MirrorPlane<D>& plane, int facet) const;
     void drop_covered_cuts(MirrorPlane<D>& plane) const;
     void add_cuts(MirrorPlane<D>& plane, int facet) const;
+    bool is_shut(const MirrorPlane<D>& plane, int facet) const;
+    void add_sight_cuts(MirrorPlane<D>& plane, int facet) const;
     void add_cut(MirrorPlane<D>& plane, const Vec<D>& normal, const Vec<D>& point) const;
 
     const WallFacets<D>& facets_;

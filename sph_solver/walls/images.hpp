@@ -30,7 +30,7 @@ template<int D> struct Image {
 /// filled once, whatever the corner's angle, an image made by plane P last counts only where it is deeper behind P than
 /// behind any other plane in front of which j stands (with a linear change over 0.3 dx, both together always 1), and
 /// fades out
-/// within a quarter of dx beyond a cut of P.
+/// at a cut of P, within a quarter of dx along the wall.
 template<int D> class ImageFinder {
 public:
     explicit ImageFinder(const WallSettings<D>& settings)
@@ -133,7 +133,8 @@ private:
     {
         double weight = 1;
         for (std::size_t c = 0; c < plane.cut_count; ++c)
-            weight *= std::clamp(1 - (plane.cuts[c].normal.dot(x) - plane.cuts[c].offset) / fade_, 0.0, 1.0);
+            weight *= std::clamp(
+                0.5 - (plane.cuts[c].normal.dot(x) - plane.cuts[c].offset) / (fade_ * plane.cuts[c].slant), 0.0, 1.0);
         return weight;
     }
 

@@ -17,7 +17,7 @@ template<int D> struct WallSettings {
     double spacing = 0;              ///< particle spacing dx [m]
     double support = 0;              ///< kernel support 2h [m]
     Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
-    double sheet_angle = 10;         ///< touching facets within this angle give one plane [degrees]
+    double sheet_angle = 3;          ///< touching facets within this angle give one plane [degrees]
     double image_distance = 0.2;     ///< a particle's own image stays this far away [dx]
     double push_from = 0.2;          ///< images push particles that come nearer than this [dx]
     double push_rate = 0;            ///< how fast, per length that is missing [1/s]
@@ -27,11 +27,12 @@ template<int D> struct WallSettings {
 template<int D> struct Cut {
     Vec<D> normal = Vec<D>::Zero(); ///< into that fluid
     double offset = 0;              ///< [m]
+    double slant = 1;               ///< sine of the angle between it and the plane that is cut
 };
 
 /// The wall as one particle sees it: the plane through the nearest point of a sheet of facets.
 template<int D> struct MirrorPlane {
-    static constexpr std::size_t max_cuts = 2 * D;
+    static constexpr std::size_t max_cuts = 8;
 
     Vec<D> point = Vec<D>::Zero();              ///< x_w [m]
     Vec<D> normal = Vec<D>::Zero();             ///< n, into the fluid

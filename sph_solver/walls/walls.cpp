@@ -129,7 +129,8 @@ template<int D> bool Walls<D>::may_interact(const Vec<D>& x_i, const Vec<D>& x_j
     visit_near(x_i, [&](int f) {
         const double fraction = base::crossing_fraction<D>(facets_.corners(f), x_i, x_j);
         if (fraction < 0) return;
-        for (std::size_t c = 0; c < count; ++c) through |= facets_.normal(f).dot(facets_.normal(crossed[c])) < -0.5;
+        for (std::size_t c = 0; c < count; ++c)
+            through |= facets_.normal(f).dot(facets_.normal(crossed[c])) < cos_opposite;
         if (count < most) crossed[count++] = f;
         const bool leaves = (x_j - x_i).dot(facets_.normal(f)) > 0;
         (leaves ? comes_out : goes_in) = true;
