@@ -12,8 +12,12 @@ namespace {
 const char* xdmf_topology(const std::string& kind)
 {
     static const std::map<std::string, const char*> names = {
-        {"polyvertex", "Polyvertex"}, {"quadrilateral", "Quadrilateral"}, {"quadrilateral_8", "Quadrilateral_8"},
-        {"triangle", "Triangle"},     {"hexahedron", "Hexahedron"},       {"hexahedron_20", "Hexahedron_20"}};
+        {"polyvertex", "Polyvertex"},           {"triangle", "Triangle"},
+        {"triangle_6", "Triangle_6"},           {"quadrilateral", "Quadrilateral"},
+        {"quadrilateral_8", "Quadrilateral_8"}, {"quadrilateral_9", "Quadrilateral_9"},
+        {"tetrahedron", "Tetrahedron"},         {"tetrahedron_10", "Tetrahedron_10"},
+        {"hexahedron", "Hexahedron"},           {"hexahedron_20", "Hexahedron_20"},
+        {"hexahedron_27", "Hexahedron_27"}};
     const auto found = names.find(kind);
     ensure(found != names.end(), "the XDMF topology is known");
     return found->second;

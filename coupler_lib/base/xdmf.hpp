@@ -8,7 +8,8 @@
 namespace base {
 
 /// How points are joined to cells. Kinds: "polyvertex" (particles; connectivity unused), "quadrilateral",
-/// "quadrilateral_8", "triangle", "hexahedron", "hexahedron_20". Connectivity holds global point numbers, row by row.
+/// "quadrilateral_8", "quadrilateral_9", "triangle", "triangle_6", "tetrahedron", "tetrahedron_10", "hexahedron",
+/// "hexahedron_20", "hexahedron_27". Connectivity holds global point numbers, row by row.
 struct XdmfTopology {
     std::string kind = "polyvertex";
     std::vector<std::int64_t> connectivity = {};

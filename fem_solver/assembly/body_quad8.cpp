@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fem_solver/assembly/element_body.hpp"
+#include "fem_solver/assembly/make_body.hpp"
 
 namespace fem {
 

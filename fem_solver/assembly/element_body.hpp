@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "fem_solver/assembly/element_points.hpp"
 #include "fem_solver/assembly/solid_body.hpp"
 #include "fem_solver/element/enhanced_modes.hpp"
-#include "fem_solver/element/gauss.hpp"
 #include "fem_solver/material/point_law.hpp"
-
-#include <Eigen/LU>
 
 #include <limits>
 
@@ -17,13 +15,14 @@ template<class Shape> class ElementBody final : public SolidBody {
 public:
     static constexpr int D = Shape::dimension;
     static constexpr int N = Shape::nodes;
-    static constexpr bool can_enhance = Shape::linear;
-    using Nodal = Eigen::Matrix<double, D, N>; // one column per node
-    using Modes = Eigen::Matrix<double, D, D>; // one column per enhanced mode
-    using Stiffness = Eigen::Matrix<double, D * N, D * N>;
+    static constexpr bool can_enhance = Shape::linear && !is_simplex<Shape>;
+    using Nodal = typename ElementPoints<Shape>::Nodal;
+    using Modes = typename ElementPoints<Shape>::Modes; // one column per enhanced mode
+    using Stiffness = typename ElementPoints<Shape>::Stiffness;
     using Coupling = Eigen::Matrix<double, D * D, D * N>; // of the enhanced modes with the nodes
 
-    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material, BodySettings settings);
+    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
+                const BodySettings& settings);
 
     Inversion add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) override;
     void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) override;
@@ -32,15 +31,8 @@ public:
     std::vector<double> stress(const Eigen::VectorXd& displacement) override;
 
 private:
-    struct Point {
-        Nodal gradient; // dN_a/dX [1/m]
-        Modes enhanced; // G_i [1/m], zero without enhancement
-        double volume;  // weight times Jacobian [m^3] (2D: m^2)
-    };
+    using Point = typename ElementPoints<Shape>::Point;
 
-    const int* nodes_of(int element) const { return connectivity_.data() + static_cast<std::size_t>(element) * N; }
-    const Point* points_of(int element) const { return points_.data() + static_cast<std::size_t>(element) * count_; }
-    Nodal gather(const Eigen::VectorXd& field, int element) const;
     Tensor<D> deformation(const Point& point, const Nodal& u, int element) const;
     /// Solves the element's modes for a displacement, so that they carry no force. False when det F <= 0 on the way.
     bool relax_modes(int element, const Nodal& u);
@@ -52,75 +44,36 @@ private:
     };
     ModeSystem mode_system(int element, const Nodal& u) const;
 
-    /// Adds rows^T (dP/dF) gradient, D x D for each pair of columns: of nodes or modes with nodes.
-    template<class Rows, class Block>
-    static void add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k);
-
     const MatrixPattern* pattern_;
     std::unique_ptr<PointLaw<D>> law_;
     double density_;
     bool enhanced_;
-    int count_; // integration points per element
-    std::vector<int> connectivity_;
-    std::vector<double> coordinates_;
-    std::vector<Point> points_;
+    ElementPoints<Shape> points_;
     std::vector<Modes> modes_;
 };
 
-/// A : grad N_b for one node: column k holds d(vec P)/du_k, for F = I + U g^T with entries in column order.
-template<int D, class Gradient>
-Eigen::Matrix<double, D * D, D> stress_slope(const Tangent<D>& tangent, const Gradient& gradient)
-{
-    Eigen::Matrix<double, D * D, D> slope = tangent.template leftCols<D>() * gradient[0];
-    for (int l = 1; l < D; ++l) slope += tangent.template middleCols<D>(D * l) * gradient[l];
-    return slope;
-}
-
-/// grad N_a contracted with the stress index of a stress_slope: the D x D block that couples two nodes.
-template<int D, class Gradient>
-Tensor<D> contract(const Gradient& gradient, const Eigen::Matrix<double, D * D, D>& slope)
-{
-    Tensor<D> block = gradient[0] * slope.template topRows<D>();
-    for (int j = 1; j < D; ++j) block += gradient[j] * slope.template middleRows<D>(D * j);
-    return block;
-}
-
 template<class Shape>
 ElementBody<Shape>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
-                                BodySettings settings)
+                                const BodySettings& settings)
     : pattern_(&pattern),
       law_(make_point_law<D>(material.law)),
       density_(material.density),
-      enhanced_(can_enhance && settings.enhanced),
-      connectivity_(mesh.connectivity),
-      coordinates_(mesh.coordinates)
+      enhanced_(can_enhance && settings.formulation == Formulation::enhanced),
+      points_(mesh, settings.full_integration ? Shape::full_gauss : Shape::gauss)
 {
-    const auto rule = gauss_points<D>(settings.full_integration ? Shape::full_gauss : Shape::gauss);
-    count_ = static_cast<int>(rule.size());
-    const Eigen::Map<const Eigen::VectorXd> positions(coordinates_.data(), std::ssize(coordinates_));
+    if (!enhanced_) return;
     const Eigen::Matrix<double, D, 1> centre = Eigen::Matrix<double, D, 1>::Zero();
-    for (int e = 0; e < mesh.elements(); ++e) {
-        const Nodal x = gather(positions, e);
+    for (int e = 0; e < points_.elements(); ++e) {
+        const Nodal x = points_.positions(e);
         const Modes jacobian_0 = x * Shape::gradients(centre).transpose();
-        for (const auto& gauss : rule) {
-            const Nodal reference = Shape::gradients(gauss.xi);
-            const Modes jacobian = x * reference.transpose();
-            const double det = jacobian.determinant();
-            Point point{jacobian.inverse().transpose() * reference, Modes::Zero(), gauss.weight * det};
-            if (enhanced_) point.enhanced = enhanced_gradients<D>(gauss.xi, jacobian_0, jacobian_0.determinant() / det);
-            points_.push_back(point);
+        for (int q = 0; q < points_.count(); ++q) {
+            const auto& gauss = points_.rule()[q];
+            const double det = (x * Shape::gradients(gauss.xi).transpose()).determinant();
+            points_.of(e)[q].enhanced =
+                enhanced_gradients<D>(gauss.xi, jacobian_0, jacobian_0.determinant() / det);
         }
     }
-    if (enhanced_) modes_.assign(mesh.elements(), Modes::Zero());
-}
-
-template<class Shape>
-auto ElementBody<Shape>::gather(const Eigen::VectorXd& field, int element) const -> Nodal
-{
-    Nodal u;
-    const int* nodes = nodes_of(element);
-    for (int a = 0; a < N; ++a) u.col(a) = field.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D);
-    return u;
+    modes_.assign(mesh.elements(), Modes::Zero());
 }
 
 template<class Shape>
@@ -137,21 +90,21 @@ template<class Shape>
 auto ElementBody<Shape>::mode_system(int element, const Nodal& u) const -> ModeSystem
 {
     ModeSystem system;
-    for (const Point* p = points_of(element); p != points_of(element) + count_; ++p) {
-        const Tensor<D> f = deformation(*p, u, element);
+    for (const Point& p : points_.of(element)) {
+        const Tensor<D> f = deformation(p, u, element);
         if (law_->finite() && !(f.determinant() > 0)) {
             system.inverted = true;
             return system;
         }
         const Tensor<D> stress = law_->stress(f);
-        const Tangent<D> tangent = p->volume * law_->tangent(f);
-        system.force += p->volume * stress * p->enhanced;
+        const Tangent<D> tangent = p.volume * law_->tangent(f);
+        system.force += p.volume * stress * p.enhanced;
         for (int j = 0; j < D; ++j) {
-            const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, p->enhanced.col(j));
+            const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, p.enhanced.col(j));
             for (int i = 0; i < D; ++i)
-                system.stiffness.template block<D, D>(D * i, D * j) += contract<D>(p->enhanced.col(i), slope);
+                system.stiffness.template block<D, D>(D * i, D * j) += contract<D>(p.enhanced.col(i), slope);
         }
-        system.scale += p->volume * (stress.norm() + 1e-3 * law_->shear_modulus()) * p->enhanced.norm();
+        system.scale += p.volume * (stress.norm() + 1e-3 * law_->shear_modulus()) * p.enhanced.norm();
     }
     return system;
 }
@@ -180,47 +133,34 @@ template<class Shape> bool ElementBody<Shape>::relax_modes(int element, const No
 template<class Shape>
 Inversion ElementBody<Shape>::add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)
 {
-    const int elements = static_cast<int>(connectivity_.size()) / N;
-    for (int e = 0; e < elements; ++e) {
-        const Nodal u = gather(displacement, e);
+    for (int e = 0; e < points_.elements(); ++e) {
+        const Nodal u = points_.gather(displacement, e);
         if (enhanced_ && !relax_modes(e, u)) return {e, 0};
         Nodal nodal = Nodal::Zero();
-        for (const Point* p = points_of(e); p != points_of(e) + count_; ++p) {
-            const Tensor<D> f = deformation(*p, u, e);
+        for (const Point& p : points_.of(e)) {
+            const Tensor<D> f = deformation(p, u, e);
             if (const double det = f.determinant(); law_->finite() && !(det > 0)) return {e, det};
-            const Tensor<D> stress = p->volume * law_->stress(f);
-            nodal.noalias() += stress.lazyProduct(p->gradient);
+            const Tensor<D> stress = p.volume * law_->stress(f);
+            nodal.noalias() += stress.lazyProduct(p.gradient);
         }
-        const int* nodes = nodes_of(e);
-        for (int a = 0; a < N; ++a) force.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D) += nodal.col(a);
+        points_.scatter(nodal, e, force);
     }
     return {};
 }
 
 template<class Shape>
-template<class Rows, class Block>
-void ElementBody<Shape>::add_products(const Tangent<D>& tangent, const Rows& rows, const Nodal& gradient, Block& k)
-{
-    for (int b = 0; b < N; ++b) {
-        const Eigen::Matrix<double, D * D, D> slope = stress_slope<D>(tangent, gradient.col(b));
-        for (int a = 0; a < rows.cols(); ++a) k.template block<D, D>(D * a, D * b) += contract<D>(rows.col(a), slope);
-    }
-}
-
-template<class Shape>
 void ElementBody<Shape>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
 {
-    const int elements = static_cast<int>(connectivity_.size()) / N;
-    for (int e = 0; e < elements; ++e) {
-        const Nodal u = gather(displacement, e);
+    for (int e = 0; e < points_.elements(); ++e) {
+        const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         Stiffness k = Stiffness::Zero();
         Coupling coupling = Coupling::Zero();
-        for (const Point* p = points_of(e); p != points_of(e) + count_; ++p) {
-            const Tangent<D> tangent = p->volume * law_->tangent(deformation(*p, u, e));
-            add_products(tangent, p->gradient, p->gradient, k);
+        for (const Point& p : points_.of(e)) {
+            const Tangent<D> tangent = p.volume * law_->tangent(deformation(p, u, e));
+            add_products<D>(tangent, p.gradient, p.gradient, k);
             if constexpr (can_enhance)
-                if (enhanced_) add_products(tangent, p->enhanced, p->gradient, coupling);
+                if (enhanced_) add_products<D>(tangent, p.enhanced, p.gradient, coupling);
         }
         if constexpr (can_enhance)
             if (enhanced_) k -= coupling.transpose() * mode_system(e, u).stiffness.partialPivLu().solve(coupling);
@@ -230,34 +170,18 @@ void ElementBody<Shape>::add_stiffness(const Eigen::VectorXd& displacement, Matr
 
 template<class Shape> void ElementBody<Shape>::add_mass(Matrix& matrix) const
 {
-    const int elements = static_cast<int>(connectivity_.size()) / N;
-    const Eigen::Map<const Eigen::VectorXd> positions(coordinates_.data(), std::ssize(coordinates_));
-    const auto rule = gauss_points<D>(Shape::mass_gauss);
-    for (int e = 0; e < elements; ++e) {
-        const Nodal x = gather(positions, e);
-        Stiffness m = Stiffness::Zero();
-        for (const auto& gauss : rule) {
-            const auto n = Shape::values(gauss.xi);
-            const Modes jacobian = x * Shape::gradients(gauss.xi).transpose();
-            const double mass = density_ * gauss.weight * jacobian.determinant();
-            for (int b = 0; b < N; ++b)
-                for (int a = 0; a < N; ++a)
-                    for (int k = 0; k < D; ++k) m(a * D + k, b * D + k) += mass * n[a] * n[b];
-        }
-        pattern_->add(matrix, e, m);
-    }
+    points_.add_mass(density_, *pattern_, matrix);
 }
 
 template<class Shape>
 double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
 {
-    const int elements = static_cast<int>(connectivity_.size()) / N;
     double energy = 0;
-    for (int e = 0; e < elements; ++e) {
-        const Nodal u = gather(displacement, e);
+    for (int e = 0; e < points_.elements(); ++e) {
+        const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
-        for (const Point* p = points_of(e); p != points_of(e) + count_; ++p)
-            energy += p->volume * law_->energy(deformation(*p, u, e));
+        for (const Point& p : points_.of(e))
+            energy += p.volume * law_->energy(deformation(p, u, e));
     }
     return energy;
 }
@@ -265,26 +189,17 @@ double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
 template<class Shape>
 std::vector<double> ElementBody<Shape>::stress(const Eigen::VectorXd& displacement)
 {
-    const int elements = static_cast<int>(connectivity_.size()) / N;
     std::vector<double> result;
-    for (int e = 0; e < elements; ++e) {
-        const Nodal u = gather(displacement, e);
+    for (int e = 0; e < points_.elements(); ++e) {
+        const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
-        for (const Point* p = points_of(e); p != points_of(e) + count_; ++p)
-            mean += law_->cauchy(deformation(*p, u, e)) / count_;
+        for (const Point& p : points_.of(e))
+            mean += law_->cauchy(deformation(p, u, e)) / points_.count();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) result.push_back(mean(i, j));
     }
     return result;
-}
-
-/// The body of a shape. Each shape has its own source file.
-template<class Shape>
-std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
-                                             const BodySettings& settings)
-{
-    return std::make_unique<ElementBody<Shape>>(mesh, pattern, material, settings);
 }
 
 } // namespace fem

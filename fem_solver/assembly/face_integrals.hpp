@@ -3,7 +3,7 @@
 
 #include "fem_solver/dofs/sparse_matrix.hpp"
 #include "fem_solver/element/face_normal.hpp"
-#include "fem_solver/element/gauss.hpp"
+#include "fem_solver/element/simplex_rules.hpp"
 
 namespace fem {
 

@@ -12,7 +12,7 @@ template<class FaceShape> class FollowerPressure final : public Load {
 public:
     FollowerPressure(const Mesh& mesh, const MatrixPattern& pattern, const std::vector<MeshFace>& faces,
                      const PressureField& pressure)
-        : mesh_(&mesh), pattern_(&pattern), rule_(gauss_points<FaceShape::dimension>(FaceShape::gauss))
+        : mesh_(&mesh), pattern_(&pattern), rule_(face_points<FaceShape>())
     {
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(std::ssize(mesh.coordinates));
         for (const MeshFace& face : faces) {
@@ -60,7 +60,7 @@ template<class FaceShape, class Action>
 void visit_facet(const Mesh& mesh, const std::array<int, 4>& facet, const Eigen::VectorXd& displacement,
                  Action&& action)
 {
-    static const auto rule = gauss_points<FaceShape::dimension>(FaceShape::gauss);
+    static const auto rule = face_points<FaceShape>();
     std::array<int, 4> nodes = facet;
     if (FaceShape::nodes == 4 && nodes[3] < 0) nodes[3] = nodes[2];
     const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), displacement);
@@ -76,7 +76,7 @@ void add_traction(const Mesh& mesh, const std::vector<MeshFace>& faces, const st
     for (const MeshFace& face : faces) {
         const auto nodes = mesh.face_nodes(face);
         const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), Eigen::VectorXd::Zero(force.size()));
-        for (const auto& point : gauss_points<FaceShape::dimension>(FaceShape::gauss)) {
+        for (const auto& point : face_points<FaceShape>()) {
             const Eigen::Matrix<double, D, D - 1> tangents = x * FaceShape::gradients(point.xi).transpose();
             const double area = point.weight * face_normal(tangents).norm();
             const auto n = FaceShape::values(point.xi);

@@ -16,10 +16,18 @@ struct Inversion {
     bool happened() const { return element >= 0; }
 };
 
+/// How elements are kept from locking.
+enum class Formulation {
+    automatic, ///< enhanced for Quad4 and Hexa8, mixed for Quad9 and Hexa27 with a law that allows it, else standard
+    standard,  ///< displacements alone
+    enhanced,  ///< Quad4, Hexa8: modes that cure locking in bending and in volume, see enhanced_gradients
+    mixed      ///< with a pressure field, against locking near incompressibility, see MixedBody
+};
+
 /// Choices of the element formulation.
 struct BodySettings {
     bool full_integration = false; ///< Quad8/Hexa20: 3 points per direction instead of 2
-    bool enhanced = true;          ///< Quad4/Hexa8: with the enhanced modes that cure locking
+    Formulation formulation = Formulation::automatic;
 };
 
 /// The deformable body: all elements with their material, total Lagrangian.

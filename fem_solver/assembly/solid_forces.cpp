@@ -30,17 +30,11 @@ SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodyS
     body_->add_mass(mass_);
     sparse_mass_ = mass_.pruned();
     body_->add_stiffness(Eigen::VectorXd::Zero(dofs()), initial_stiffness_);
-    const double edge = std::pow(mesh.elements(), -1.0 / mesh.dimension) * // about the element's size
-                        (Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
-                             .reshaped(mesh.dimension, mesh.nodes())
-                             .rowwise()
-                             .maxCoeff() -
-                         Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
-                             .reshaped(mesh.dimension, mesh.nodes())
-                             .rowwise()
-                             .minCoeff())
-                            .maxCoeff();
-    round_off_ = 4 * std::numeric_limits<double>::epsilon() * initial_stiffness_.diagonal().maxCoeff() * edge;
+    const auto positions = Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
+                               .reshaped(mesh.dimension, mesh.nodes());
+    const double extent = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).maxCoeff();
+    element_size_ = extent * std::pow(mesh.elements(), -1.0 / mesh.dimension); // about
+    round_off_ = std::numeric_limits<double>::epsilon() * initial_stiffness_.diagonal().maxCoeff();
 }
 
 void SolidForces::set_damping(const Damping& damping)

@@ -61,8 +61,12 @@ public:
     double potential_energy(const Motion& motion) const { return -motion.displacement.dot(gravity_); }
     /// M times a field.
     Eigen::VectorXd inertia(const Eigen::VectorXd& field) const { return sparse_mass_ * field; }
-    /// Round-off level of a nodal force: what a residual cannot fall below.
-    double round_off() const { return round_off_; }
+    /// Round-off level of a nodal force, eps K max(4 h, 2 |u|) with the largest diagonal K, the element size h and the
+    /// largest displacement: what a residual cannot fall below [N].
+    double round_off(const Motion& motion) const
+    {
+        return round_off_ * std::max(4 * element_size_, 2 * motion.displacement.cwiseAbs().maxCoeff());
+    }
 
 private:
     MatrixPattern pattern_;
@@ -72,7 +76,7 @@ private:
     Eigen::VectorXd gravity_;
     std::vector<std::unique_ptr<Load>> loads_;
     std::unique_ptr<Load> interface_, correction_;
-    double round_off_ = 0;
+    double element_size_ = 0, round_off_ = 0; // [m], eps K [N/m]
 };
 
 } // namespace fem

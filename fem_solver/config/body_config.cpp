@@ -21,12 +21,16 @@ base::Table<MeshConfig> mesh_table()
         .key("cells", &MeshConfig::cells,
              {.unit = "-", .doc = "number of elements along each direction", .min = 1, .required = true})
         .key("element", &MeshConfig::element,
-             {.doc = "shape of the elements", .choices = {"quad4", "quad8", "hexa8", "hexa20"}})
+             {.doc = "shape of the elements: 2D tri or quad, 3D tet or hexa, with their number of nodes; a block cuts each cell "
+                     "into 2 triangles or 6 tetrahedra",
+              .choices = {"tri3", "tri6", "quad4", "quad8", "quad9", "tet4", "tet10", "hexa8", "hexa20", "hexa27"}})
         .key("integration", &MeshConfig::integration,
              {.doc = "of quad8 and hexa20: reduced has 2, full 3 points a direction", .choices = {"reduced", "full"}})
         .key("formulation", &MeshConfig::formulation,
-             {.doc = "of quad4 and hexa8: enhanced has the modes against locking; standard locks in bending",
-              .choices = {"enhanced", "standard"}});
+             {.doc = "enhanced: quad4 and hexa8 with modes against locking; mixed: with a pressure in each element, linear "
+                     "in quad9 and hexa27, constant in quad4, hexa8, tri6 and tet10, for nu near 0.5; standard: "
+                     "displacements alone; automatic: enhanced for quad4 and hexa8, mixed for quad9 and hexa27",
+              .choices = {"automatic", "enhanced", "mixed", "standard"}});
 }
 
 base::Table<MaterialConfig> material_table()

@@ -20,7 +20,7 @@ struct MeshConfig {
     std::vector<double> low, high, cells;
     std::string element = "quad8";
     std::string integration = "reduced";
-    std::string formulation = "enhanced";
+    std::string formulation = "automatic";
 };
 
 /// [material.NAME]

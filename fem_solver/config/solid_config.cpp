@@ -23,7 +23,7 @@ void require_size(const base::ConfigReader& reader, const std::vector<double>& n
 void check_mesh(const SolidConfig& config, const base::ConfigReader& reader)
 {
     const int d = config.model.dimension;
-    const bool flat = config.mesh.element.starts_with("quad");
+    const bool flat = config.mesh.element.starts_with("quad") || config.mesh.element.starts_with("tri");
     base::require_input(flat == (d == 2), reader.where("mesh.element"), ": element \"", config.mesh.element,
                         "\" does not belong in a model of dimension ", d);
     require_size(reader, config.mesh.low, "mesh.low", d);

@@ -20,6 +20,7 @@ struct Hexa8 {
     static constexpr int full_gauss = 2;
     static constexpr int mass_gauss = 2;
     static constexpr bool linear = true;
+    static constexpr int pressure_modes = 1;
     static constexpr std::array<std::array<int, 3>, 8> corners{
         {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
     /// Counterclockwise seen from outside.
@@ -60,6 +61,7 @@ struct Hexa20 {
     static constexpr int full_gauss = 3;
     static constexpr int mass_gauss = 3;
     static constexpr bool linear = false;
+    static constexpr int pressure_modes = 0;
     static constexpr std::array<std::array<int, 3>, 20> corners{
         {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {1, 1, 1},
          {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {-1, -1, 0}, {1, -1, 0},

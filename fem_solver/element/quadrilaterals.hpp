@@ -22,6 +22,7 @@ struct Quad4 {
     static constexpr int full_gauss = 2; ///< points per direction of full integration
     static constexpr int mass_gauss = 2; ///< exact for the mass of a parallelogram
     static constexpr bool linear = true;
+    static constexpr int pressure_modes = 1; ///< of the mixed formulation: 1 constant, 1 + dimension linear, 0: none
     static constexpr std::array<std::array<int, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     /// Edges with the body on the left, so that (t_y, -t_x) points outward.
     static constexpr std::array<std::array<int, 2>, 4> faces{{{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
@@ -59,6 +60,7 @@ struct Quad8 {
     static constexpr int full_gauss = 3;
     static constexpr int mass_gauss = 3;
     static constexpr bool linear = false;
+    static constexpr int pressure_modes = 0;
     static constexpr std::array<std::array<int, 2>, 8> corners{
         {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
     static constexpr std::array<std::array<int, 3>, 4> faces{{{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}}};

@@ -2,6 +2,7 @@
 #include "fem_solver/mesh/block_mesh.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/mesh/cell_elements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ struct Lattice {
     int step = 1; ///< lattice points per cell
     std::vector<int> node;
 
-    int index(const std::array<int, 3>& p) const { return p[0] + size[0] * (p[1] + size[1] * p[2]); }
+    int index(const LatticePoint& p) const { return p[0] + size[0] * (p[1] + size[1] * p[2]); }
 };
 
 void check(const BlockSpec& spec, int dimension)
@@ -34,22 +35,24 @@ void check(const BlockSpec& spec, int dimension)
     }
 }
 
+template<class Shape> constexpr bool serendipity = std::is_same_v<Shape, Quad8> || std::is_same_v<Shape, Hexa20>;
+
 /// Serendipity elements have nodes on corners and edges only: at most one odd lattice index.
-bool carries_node(const std::array<int, 3>& p, int step)
+template<class Shape> bool carries_node(const LatticePoint& p)
 {
-    return step == 1 || (p[0] % 2) + (p[1] % 2) + (p[2] % 2) <= 1;
+    return !serendipity<Shape> || (p[0] % 2) + (p[1] % 2) + (p[2] % 2) <= 1;
 }
 
-Lattice number_nodes(const BlockSpec& spec, Mesh& mesh, int step)
+template<class Shape> Lattice number_nodes(const BlockSpec& spec, Mesh& mesh)
 {
     Lattice lattice;
-    lattice.step = step;
-    for (int k = 0; k < mesh.dimension; ++k) lattice.size[k] = step * spec.cells[k] + 1;
-    std::array<int, 3> p{};
+    lattice.step = Shape::linear ? 1 : 2;
+    for (int k = 0; k < mesh.dimension; ++k) lattice.size[k] = lattice.step * spec.cells[k] + 1;
+    LatticePoint p{};
     for (p[2] = 0; p[2] < lattice.size[2]; ++p[2])
         for (p[1] = 0; p[1] < lattice.size[1]; ++p[1])
             for (p[0] = 0; p[0] < lattice.size[0]; ++p[0]) {
-                lattice.node.push_back(carries_node(p, step) ? mesh.nodes() : -1);
+                lattice.node.push_back(carries_node<Shape>(p) ? mesh.nodes() : -1);
                 if (lattice.node.back() < 0) continue;
                 for (int k = 0; k < mesh.dimension; ++k)
                     mesh.coordinates.push_back(spec.low[k] +
@@ -58,30 +61,22 @@ Lattice number_nodes(const BlockSpec& spec, Mesh& mesh, int step)
     return lattice;
 }
 
-/// Which side of the block a face of an element lies on, or -1: all its nodes at the same end of one direction.
-template<class Shape> int side_of(int face, const std::array<int, 3>& cell, const std::vector<int>& cells)
+/// Which side of the block a face lies on, or -1: all its lattice points at the same end of one direction.
+template<class Face> int side_of(const Face& face, const std::vector<LatticePoint>& points, const Lattice& lattice, int d)
 {
-    for (int k = 0; k < Shape::dimension; ++k)
-        for (const int end : {-1, 1}) {
-            const bool outer = end < 0 ? cell[k] == 0 : cell[k] == cells[k] - 1;
-            const auto at_end = [&](int a) { return Shape::corners[a][k] == end; };
-            if (outer && std::ranges::all_of(Shape::faces[face], at_end)) return 2 * k + (end > 0);
-        }
+    for (int k = 0; k < d; ++k)
+        for (const int end : {0, lattice.size[k] - 1})
+            if (std::ranges::all_of(face, [&](int a) { return points[a][k] == end; })) return 2 * k + (end > 0);
     return -1;
 }
 
-template<class Shape>
-void add_element(Mesh& mesh, const BlockSpec& spec, const Lattice& lattice, const std::array<int, 3>& cell)
+/// \param points of the element's nodes on the lattice.
+template<class Shape> void add_element(Mesh& mesh, const Lattice& lattice, const std::vector<LatticePoint>& points)
 {
     const int element = mesh.elements();
-    for (int a = 0; a < Shape::nodes; ++a) {
-        std::array<int, 3> p{};
-        for (int k = 0; k < Shape::dimension; ++k)
-            p[k] = lattice.step * cell[k] + lattice.step * (Shape::corners[a][k] + 1) / 2;
-        mesh.connectivity.push_back(lattice.node[lattice.index(p)]);
-    }
+    for (const LatticePoint& p : points) mesh.connectivity.push_back(lattice.node[lattice.index(p)]);
     for (int f = 0; f < static_cast<int>(Shape::faces.size()); ++f) {
-        const int side = side_of<Shape>(f, cell, spec.cells);
+        const int side = side_of(Shape::faces[f], points, lattice, Shape::dimension);
         if (side < 0) continue;
         mesh.face_groups[side_names[side]].push_back({element, f});
         mesh.face_groups["all"].push_back({element, f});
@@ -90,12 +85,18 @@ void add_element(Mesh& mesh, const BlockSpec& spec, const Lattice& lattice, cons
 
 template<class Shape> void fill(Mesh& mesh, const BlockSpec& spec)
 {
-    const Lattice lattice = number_nodes(spec, mesh, Shape::linear ? 1 : 2);
+    const Lattice lattice = number_nodes<Shape>(spec, mesh);
+    const auto cell_elements = elements_of_cell<Shape>(lattice.step);
     const int layers = Shape::dimension == 3 ? spec.cells[2] : 1;
-    std::array<int, 3> cell{};
+    LatticePoint cell{};
     for (cell[2] = 0; cell[2] < layers; ++cell[2])
         for (cell[1] = 0; cell[1] < spec.cells[1]; ++cell[1])
-            for (cell[0] = 0; cell[0] < spec.cells[0]; ++cell[0]) add_element<Shape>(mesh, spec, lattice, cell);
+            for (cell[0] = 0; cell[0] < spec.cells[0]; ++cell[0])
+                for (std::vector<LatticePoint> points : cell_elements) {
+                    for (LatticePoint& p : points)
+                        for (int k = 0; k < 3; ++k) p[k] += lattice.step * cell[k];
+                    add_element<Shape>(mesh, lattice, points);
+                }
 }
 
 } // namespace

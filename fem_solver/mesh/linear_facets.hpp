@@ -7,8 +7,8 @@
 
 namespace fem {
 
-/// Faces cut into linear facets on the elements' own nodes, as the fluid sees them: a Quad8 edge gives two segments,
-/// a Hexa20 face six triangles.
+/// Faces cut into linear facets on the elements' own nodes, as the fluid sees them: a quadratic edge gives two
+/// segments, a face of Hexa20 six triangles, of Hexa27 four quadrilaterals, of Tet10 four triangles.
 ///
 /// \return node ids per facet, unused entries -1; 2D: (a, b) with the body on the left, outward normal (t_y, -t_x);
 ///         3D: counterclockwise seen from outside.

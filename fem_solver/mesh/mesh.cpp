@@ -2,7 +2,7 @@
 #include "fem_solver/mesh/mesh.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
-#include "fem_solver/element/gauss.hpp"
+#include "fem_solver/element/simplex_rules.hpp"
 
 #include <Eigen/LU>
 
@@ -80,7 +80,7 @@ void check_jacobians(const Mesh& mesh)
         using Shape = decltype(shape);
         for (int e = 0; e < mesh.elements(); ++e) {
             const auto x = element_positions<Shape>(mesh, e);
-            for (const auto& point : gauss_points<Shape::dimension>(Shape::full_gauss)) {
+            for (const auto& point : integration_points<Shape>(Shape::full_gauss)) {
                 const double det = (x * Shape::gradients(point.xi).transpose()).determinant();
                 const int first = mesh.connectivity[static_cast<std::size_t>(e) * Shape::nodes];
                 base::require_input(det > 0, "element ", e, " (", name_of(mesh.type), ") with its first node at ",

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/output/field_file.hpp"
 
+#include <array>
+
 namespace fem {
 namespace {
 
-std::string xdmf_name(ElementType type)
+constexpr std::array<const char*, 10> xdmf_names{
+    "triangle",       "triangle_6", "quadrilateral", "quadrilateral_8", "quadrilateral_9", "tetrahedron",
+    "tetrahedron_10", "hexahedron", "hexahedron_20", "hexahedron_27"}; // in the order of ElementType
+
+/// Where XDMF's node `a` of an element stands in ours: it lists the edges of the upper face before the upright ones, and
+/// the faces in the order left, right, front, back (by y), lower, upper.
+std::size_t own_place(ElementType type, std::size_t a)
 {
-    switch (type) {
-    case ElementType::quad4:
-        return "quadrilateral";
-    case ElementType::quad8:
-        return "quadrilateral_8";
-    case ElementType::hexa8:
-        return "hexahedron";
-    default:
-        return "hexahedron_20";
-    }
+    constexpr std::array<std::size_t, 6> faces{25, 23, 22, 24, 20, 21};
+    if (type != ElementType::hexa20 && type != ElementType::hexa27) return a;
+    if (a >= 20 && a < 26) return faces[a - 20];
+    if (a < 12 || a == 26) return a;
+    return a < 16 ? a + 4 : a - 4;
 }
 
 } // namespace
@@ -23,17 +26,11 @@ std::string xdmf_name(ElementType type)
 FieldFile::FieldFile(const std::string& folder, const Mesh& mesh, const base::Communicator& comm)
     : mesh_(&mesh), file_(folder + "/fields", comm)
 {
-    topology_.kind = xdmf_name(mesh.type);
+    topology_.kind = xdmf_names[static_cast<std::size_t>(mesh.type)];
     topology_.nodes_per_cell = mesh.nodes_per_element();
-    const int n = mesh.nodes_per_element();
-    for (std::size_t i = 0; i < mesh.connectivity.size(); ++i) {
-        std::size_t from = i;
-        if (mesh.type == ElementType::hexa20) { // XDMF lists the edges of the upper face before the upright ones
-            const std::size_t a = i % n, start = i - a;
-            if (a >= 12) from = start + (a < 16 ? a + 4 : a - 4);
-        }
-        topology_.connectivity.push_back(mesh.connectivity[from]);
-    }
+    const std::size_t n = mesh.nodes_per_element();
+    for (std::size_t i = 0; i < mesh.connectivity.size(); ++i)
+        topology_.connectivity.push_back(mesh.connectivity[i - i % n + own_place(mesh.type, i % n)]);
 }
 
 /// Three components per node, as files want them.

@@ -13,9 +13,16 @@ namespace {
 
 ElementType element_type(const std::string& name)
 {
-    for (const ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::hexa8, ElementType::hexa20})
-        if (name_of(type) == name) return type;
+    for (const auto& [type, known] : element_names)
+        if (known == name) return type;
     throw base::Error(base::ExitCode::bad_input, "unknown element \"" + name + "\"");
+}
+
+Formulation formulation(const std::string& name)
+{
+    if (name == "enhanced") return Formulation::enhanced;
+    if (name == "mixed") return Formulation::mixed;
+    return name == "standard" ? Formulation::standard : Formulation::automatic;
 }
 
 Marlow marlow(const std::string& path, double poisson)
@@ -67,7 +74,7 @@ SolidModel::SolidModel(const SolidConfig& config)
     : mesh_(make_mesh(config.mesh)),
       supports_(mesh_),
       forces_(mesh_, make_material(config.material),
-              {config.mesh.integration == "full", config.mesh.formulation == "enhanced"})
+              {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {
     for (const SupportConfig& support : config.supports) supports_.fix(support.group, support.fix);
     forces_.set_damping({config.damping.stiffness, config.damping.mass});

@@ -65,7 +65,7 @@ bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
         const Eigen::VectorXd inertia = model_.inertia(motion.acceleration);
         Eigen::VectorXd r = residual(inertia);
         supports_.clear_rows(r);
-        if (newton_.converged(r, force_scale(inertia), model_.round_off())) return true;
+        if (newton_.converged(r, force_scale(inertia), model_.round_off(motion))) return true;
         if (newton_.exhausted()) return false;
         if (newton_.slow() || std::abs(dt - factorised_dt_) > same_dt * factorised_dt_) factorise(motion, dt);
         if (!apply(motion, solver_.solve(-r), dt)) return false;

@@ -54,7 +54,7 @@ bool StaticSolution::equilibrate(Motion& motion, double factor)
         Eigen::VectorXd residual = forces_now_.unbalanced();
         const double scale = std::max(residual.cwiseAbs().maxCoeff(), forces_now_.internal.cwiseAbs().maxCoeff());
         supports_.clear_rows(residual);
-        if (newton_.converged(residual, scale, model_.round_off())) return true;
+        if (newton_.converged(residual, scale, model_.round_off(motion))) return true;
         reason_ = "did not converge";
         if (newton_.exhausted()) return false;
         Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor});

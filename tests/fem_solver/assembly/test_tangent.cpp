@@ -47,11 +47,12 @@ void expect_tangent_matches(const Mesh& mesh, const SolidForces& forces, double 
     EXPECT_GT(product.norm(), 0);
 }
 
-class Tangents : public testing::TestWithParam<ElementType> {
+class Tangents : public testing::TestWithParam<std::pair<ElementType, Formulation>> {
 protected:
-    Mesh mesh_ = distorted_block(GetParam());
-    SolidForces stiff_{mesh_, {NeoHookean{Lame::from_young(100, 0.4)}, 1}, {}};
-    SolidForces soft_{mesh_, {NeoHookean{Lame::from_young(1e-9, 0.4)}, 1}, {}}; // only the loads matter
+    BodySettings settings_{false, GetParam().second};
+    Mesh mesh_ = distorted_block(GetParam().first);
+    SolidForces stiff_{mesh_, {NeoHookean{Lame::from_young(100, 0.4)}, 1}, settings_};
+    SolidForces soft_{mesh_, {NeoHookean{Lame::from_young(1e-9, 0.4)}, 1}, settings_}; // only the loads matter
 };
 
 TEST_P(Tangents, OfTheBody) { expect_tangent_matches(mesh_, stiff_, 1e-8); }
@@ -123,7 +124,15 @@ TEST_P(Tangents, ImpedanceActsAlongTheNormalOnly)
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, Tangents,
-                         testing::Values(ElementType::quad4, ElementType::quad8, ElementType::hexa8,
-                                         ElementType::hexa20));
+                         testing::Values(std::pair(ElementType::quad4, Formulation::enhanced),
+                                         std::pair(ElementType::quad4, Formulation::mixed),
+                                         std::pair(ElementType::quad8, Formulation::standard),
+                                         std::pair(ElementType::quad9, Formulation::mixed),
+                                         std::pair(ElementType::tri6, Formulation::standard),
+                                         std::pair(ElementType::hexa8, Formulation::enhanced),
+                                         std::pair(ElementType::hexa20, Formulation::standard),
+                                         std::pair(ElementType::hexa27, Formulation::mixed),
+                                         std::pair(ElementType::tet4, Formulation::standard),
+                                         std::pair(ElementType::tet10, Formulation::mixed)));
 
 } // namespace

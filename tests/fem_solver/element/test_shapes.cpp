@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/element/element_type.hpp"
 #include "fem_solver/element/face_normal.hpp"
-#include "fem_solver/element/gauss.hpp"
+#include "fem_solver/element/simplex_rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 using namespace fem;
 
 template<class Shape> class Shapes : public testing::Test {};
-using AllShapes = testing::Types<Line2, Line3, Quad4, Quad8, Hexa8, Hexa20>;
+using AllShapes = testing::Types<Line2, Line3, Tri3, Tri6, Quad4, Quad8, Quad9, Tet4, Tet10, Hexa8, Hexa20, Hexa27>;
 TYPED_TEST_SUITE(Shapes, AllShapes);
 
 template<class Shape> Eigen::Matrix<double, Shape::dimension, 1> corner(int a)
@@ -23,8 +23,15 @@ template<class Shape> Eigen::Matrix<double, Shape::dimension, 1> corner(int a)
 template<class Shape> Eigen::Matrix<double, Shape::dimension, 1> inner_point()
 {
     Eigen::Matrix<double, Shape::dimension, 1> xi;
-    for (int k = 0; k < Shape::dimension; ++k) xi[k] = 0.31 - 0.47 * k;
+    for (int k = 0; k < Shape::dimension; ++k) xi[k] = 0.31 - 0.11 * k;
     return xi;
+}
+
+/// Length, area or volume of the reference element.
+template<class Shape> double reference_measure()
+{
+    if (is_simplex<Shape>) return Shape::dimension == 2 ? 0.5 : 1.0 / 6;
+    return std::pow(2.0, Shape::dimension);
 }
 
 TYPED_TEST(Shapes, AreOneAtTheirNodeAndZeroAtTheOthers)
@@ -54,6 +61,28 @@ TYPED_TEST(Shapes, GradientsAreDifferenceQuotients)
     }
 }
 
+/// The monomial x^a y^b (z^c) over the reference simplex: a! b! c! / (a + b + c + D)!.
+TEST(SimplexRules, IntegratePolynomialsExactly)
+{
+    const auto exact = [](int a, int b, int c, int d) {
+        return std::tgamma(a + 1) * std::tgamma(b + 1) * std::tgamma(c + 1) / std::tgamma(a + b + c + d + 1);
+    };
+    for (const int degree : {1, 2, 4})
+        for (int a = 0; a <= degree; ++a)
+            for (int b = 0; a + b <= degree; ++b) {
+                double area = 0;
+                for (const auto& p : triangle_points(degree))
+                    area += p.weight * std::pow(p.xi[0], a) * std::pow(p.xi[1], b);
+                EXPECT_NEAR(area, exact(a, b, 0, 2), 1e-15) << degree << " " << a << b;
+                for (int c = 0; a + b + c <= (degree == 4 ? 5 : degree); ++c) {
+                    double volume = 0;
+                    for (const auto& p : tetrahedron_points(degree))
+                        volume += p.weight * std::pow(p.xi[0], a) * std::pow(p.xi[1], b) * std::pow(p.xi[2], c);
+                    EXPECT_NEAR(volume, exact(a, b, c, 3), 1e-15) << degree << " " << a << b << c;
+                }
+            }
+}
+
 TEST(Gauss, IntegratesPolynomialsExactly)
 {
     for (int n = 1; n <= 3; ++n)
@@ -65,7 +94,7 @@ TEST(Gauss, IntegratesPolynomialsExactly)
 }
 
 template<class Shape> class Bodies : public testing::Test {};
-using BodyShapes = testing::Types<Quad4, Quad8, Hexa8, Hexa20>;
+using BodyShapes = testing::Types<Tri3, Tri6, Quad4, Quad8, Quad9, Tet4, Tet10, Hexa8, Hexa20, Hexa27>;
 TYPED_TEST_SUITE(Bodies, BodyShapes);
 
 /// The faces of the reference element, integrated: n points outward and the whole of the surface closes.
@@ -78,7 +107,7 @@ TYPED_TEST(Bodies, FacesPointOutwardAndClose)
     for (const auto& face : TypeParam::faces) {
         Eigen::Matrix<double, D, Face::nodes> x;
         for (int a = 0; a < Face::nodes; ++a) x.col(a) = corner<TypeParam>(face[a]);
-        for (const auto& p : gauss_points<D - 1>(Face::gauss)) {
+        for (const auto& p : face_points<Face>()) {
             const Eigen::Matrix<double, D, D - 1> tangents = x * Face::gradients(p.xi).transpose();
             const Eigen::Matrix<double, D, 1> n = p.weight * face_normal(tangents);
             sum += n;
@@ -86,7 +115,7 @@ TYPED_TEST(Bodies, FacesPointOutwardAndClose)
         }
     }
     EXPECT_LT(sum.norm(), 1e-14);
-    EXPECT_NEAR(volume, std::pow(2.0, D), 1e-13);
+    EXPECT_NEAR(volume, reference_measure<TypeParam>(), 1e-13);
 }
 
 TYPED_TEST(Bodies, LinearPartsOfAFaceCoverIt)
@@ -104,7 +133,7 @@ TYPED_TEST(Bodies, LinearPartsOfAFaceCoverIt)
             }
         }
     }
-    EXPECT_NEAR(measure, std::pow(2.0, Face::dimension), 1e-14);
+    EXPECT_NEAR(measure, reference_measure<Face>(), 1e-14);
 }
 
 } // namespace

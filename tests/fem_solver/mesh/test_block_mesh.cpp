@@ -3,6 +3,7 @@
 #include "fem_solver/mesh/block_mesh.hpp"
 #include "fem_solver/mesh/linear_facets.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,6 +49,47 @@ TEST(BlockMesh, FacetsKeepTheBodyOnTheLeft)
             area += 0.5 * (0.5 * (a[0] + b[0]) * (b[1] - a[1]) - 0.5 * (a[1] + b[1]) * (b[0] - a[0]));
         }
         EXPECT_NEAR(area, 0.005 * 0.079, 1e-15);
+    }
+}
+
+/// Volume (2D: area) inside linear facets with outward normals, by Gauss's theorem; quadrilaterals as two triangles.
+double enclosed(const Mesh& mesh, const std::vector<std::array<int, 4>>& facets)
+{
+    const auto point = [&](int node) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        for (int k = 0; k < mesh.dimension; ++k) x[k] = mesh.node(node)[k];
+        return x;
+    };
+    double sum = 0;
+    for (const auto& f : facets) {
+        const Eigen::Vector3d a = point(f[0]), b = point(f[1]);
+        if (mesh.dimension == 2) {
+            sum += 0.5 * a.cross(b)[2];
+            continue;
+        }
+        const Eigen::Vector3d c = point(f[2]);
+        sum += a.dot(b.cross(c)) / 6;
+        if (f[3] >= 0) sum += a.dot(c.cross(point(f[3]))) / 6;
+    }
+    return sum;
+}
+
+/// Whatever the elements: none is turned inside out, and their faces' linear parts close around the block.
+TEST(BlockMesh, EveryElementFillsTheBlock)
+{
+    for (const auto& [type, name] : element_names) {
+        const int d = dimension_of(type);
+        std::vector<double> high{1, 2, 3};
+        std::vector<int> cells{2, 3, 2};
+        high.resize(d);
+        cells.resize(d);
+        const Mesh mesh = make_block({type, std::vector<double>(d, 0.0), high, cells});
+        check_jacobians(mesh);
+        EXPECT_NEAR(enclosed(mesh, linear_facets(mesh, mesh.faces("all"))), d == 2 ? 2 : 6, 1e-13) << name;
+        for (const int node : mesh.group_nodes("top")) EXPECT_EQ(mesh.node(node)[1], 2) << name;
+        std::vector<char> used(mesh.nodes(), 0);
+        for (const int node : mesh.connectivity) used[node] = 1;
+        EXPECT_EQ(std::ranges::count(used, 0), 0) << name; // no node without an element
     }
 }
 

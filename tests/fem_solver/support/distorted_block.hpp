@@ -9,6 +9,13 @@
 
 namespace fem_test {
 
+/// The linear shape with the same corners.
+template<int D, bool simplex> struct LinearShape;
+template<> struct LinearShape<2, false> { using type = fem::Quad4; };
+template<> struct LinearShape<3, false> { using type = fem::Hexa8; };
+template<> struct LinearShape<2, true> { using type = fem::Tri3; };
+template<> struct LinearShape<3, true> { using type = fem::Tet4; };
+
 /// A unit square or cube of 3 cells a side whose inner vertices are moved; edges stay straight (middle nodes are the
 /// means of their ends), the boundary stays flat.
 inline fem::Mesh distorted_block(fem::ElementType type)
@@ -25,19 +32,17 @@ inline fem::Mesh distorted_block(fem::ElementType type)
     };
     fem::with_shape(type, [&](auto shape) {
         using Shape = decltype(shape);
+        using Corners = LinearShape<Shape::dimension, fem::is_simplex<Shape>>::type;
         for (int e = 0; e < mesh.elements(); ++e)
             for (int a = 0; a < Shape::nodes; ++a) {
                 const int* nodes = mesh.connectivity.data() + e * Shape::nodes;
-                const int corners = 1 << d;
+                Eigen::Matrix<double, Shape::dimension, 1> xi;
+                for (int k = 0; k < d; ++k) xi[k] = Shape::corners[a][k];
+                const auto weights = Corners::values(xi); // of the corners: 1 at one, or equal at the ends of an edge
                 for (int k = 0; k < d; ++k) {
-                    double sum = 0, count = 0;
-                    for (int c = 0; c < corners; ++c) { // the ends of a middle node agree with it where it is not 0
-                        bool end = true;
-                        for (int m = 0; m < d; ++m)
-                            end = end && (Shape::corners[a][m] == 0 || Shape::corners[a][m] == Shape::corners[c][m]);
-                        if (end) sum += moved(nodes[c], k), ++count;
-                    }
-                    mesh.coordinates[nodes[a] * d + k] = sum / count;
+                    double sum = 0;
+                    for (int c = 0; c < Corners::nodes; ++c) sum += weights[c] * moved(nodes[c], k);
+                    mesh.coordinates[nodes[a] * d + k] = sum;
                 }
             }
     });

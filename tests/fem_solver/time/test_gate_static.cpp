@@ -67,6 +67,20 @@ TEST(GateStatic, SofterRubber)
     expect_tip(settle(gate), 41.942, 14.295, 0.003);
 }
 
+TEST(GateStatic, NearlyIncompressible)
+{
+    Gate nine(ElementType::quad9, rubber(12e6, 0.499), {}, {6, 80});
+    expect_tip(settle(nine), 32.373, 8.089, 0.003);
+}
+
+TEST(GateStatic, NineNodesAndTriangles)
+{
+    Gate nine(ElementType::quad9, rubber(), {}, {6, 80});
+    expect_tip(settle(nine), 35.934, 10.132, 0.003);
+    Gate six(ElementType::tri6, rubber(), {}, {6, 80});
+    expect_tip(settle(six), 35.934, 10.132, 0.003);
+}
+
 TEST(GateStatic, LinearElementsWithTheirCure)
 {
     Gate gate(ElementType::quad4, rubber());
@@ -75,7 +89,7 @@ TEST(GateStatic, LinearElementsWithTheirCure)
 
 TEST(GateStatic, LinearElementsWithoutItLock)
 {
-    Gate gate(ElementType::quad4, rubber(), {false, false});
+    Gate gate(ElementType::quad4, rubber(), {false, Formulation::standard});
     EXPECT_LT(settle(gate).ux, 0.93 * 0.035934);
 }
 

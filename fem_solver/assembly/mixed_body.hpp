@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fem_solver/assembly/element_points.hpp"
+#include "fem_solver/assembly/solid_body.hpp"
+#include "fem_solver/material/point_law.hpp"
+#include "fem_solver/material/split_law.hpp"
+
+namespace fem {
+
+/// SolidBody whose elements have a pressure field of their own, against locking near incompressibility
+/// (J. C. Simo, R. L. Taylor, K. S. Pister, Comput. Methods Appl. Mech. Engrg 51 (1985) 177):
+///
+///     W = integral of psi(F) dV + K/2 integral of (Pi (J - 1))^2 dV
+///     f_a = integral of (dpsi/dF + p J F^-T) grad N_a dV,     p = K Pi (J - 1)
+///
+/// Pi projects, element by element, onto constants (M = 1: mean dilatation) or onto 1, X, Y (, Z) (M = D + 1). The
+/// pressure is eliminated in each element, so displacements remain the only unknowns and the tangent is symmetric.
+template<class Shape, int M> class MixedBody final : public SolidBody {
+    static constexpr int D = Shape::dimension;
+    static constexpr int N = Shape::nodes;
+    using Points = ElementPoints<Shape>;
+    using Nodal = typename Points::Nodal;
+    using Basis = Eigen::Matrix<double, M, 1>;
+    using Gram = Eigen::Matrix<double, M, M>;
+
+public:
+    MixedBody(const Mesh& mesh, const MatrixPattern& pattern, const SplitLaw& law, double density)
+        : pattern_(&pattern), points_(mesh, Shape::full_gauss), shape_(make_point_law<D>(law.shape)), bulk_(law.bulk),
+          density_(density)
+    {
+        for (int e = 0; e < points_.elements(); ++e) {
+            const Nodal x = points_.positions(e);
+            const Eigen::Matrix<double, D, 1> centre = x.rowwise().mean();
+            const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
+            Gram gram = Gram::Zero();
+            for (int q = 0; q < points_.count(); ++q) {
+                const Eigen::Matrix<double, D, 1> at = x * Shape::values(points_.rule()[q].xi).transpose();
+                Basis basis = Basis::Ones();
+                if constexpr (M > 1) basis.template tail<D>() = (at - centre) / size;
+                gram += points_.of(e)[q].volume * basis * basis.transpose();
+                basis_.push_back(basis);
+            }
+            inverse_gram_.push_back(gram.inverse());
+        }
+    }
+
+    Inversion add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) override
+    {
+        for (int e = 0; e < points_.elements(); ++e) {
+            const Nodal u = points_.gather(displacement, e);
+            if (const Inversion inversion = find_inversion(e, u); inversion.happened()) return inversion;
+            const Basis pressure = bulk_ * dilatation(e, u);
+            Nodal nodal = Nodal::Zero();
+            for (int q = 0; q < points_.count(); ++q) {
+                const auto& p = points_.of(e)[q];
+                const Tensor<D> f = deformation(p, u);
+                const double j_pressure = f.determinant() * pressure.dot(basis_of(e)[q]);
+                nodal += p.volume * (shape_->stress(f) + j_pressure * f.inverse().transpose()) * p.gradient;
+            }
+            points_.scatter(nodal, e, force);
+        }
+        return {};
+    }
+
+    void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) override
+    {
+        for (int e = 0; e < points_.elements(); ++e) pattern_->add(matrix, e, stiffness(e, points_.gather(displacement, e)));
+    }
+
+    void add_mass(Matrix& matrix) const override { points_.add_mass(density_, *pattern_, matrix); }
+
+    double strain_energy(const Eigen::VectorXd& displacement) override
+    {
+        double energy = 0;
+        for (int e = 0; e < points_.elements(); ++e) {
+            const Nodal u = points_.gather(displacement, e);
+            const Basis theta = dilatation(e, u);
+            for (int q = 0; q < points_.count(); ++q) {
+                const auto& p = points_.of(e)[q];
+                const double t = theta.dot(basis_of(e)[q]);
+                energy += p.volume * (shape_->energy(deformation(p, u)) + 0.5 * bulk_ * t * t);
+            }
+        }
+        return energy;
+    }
+
+    std::vector<double> stress(const Eigen::VectorXd& displacement) override
+    {
+        std::vector<double> result;
+        for (int e = 0; e < points_.elements(); ++e) {
+            const Nodal u = points_.gather(displacement, e);
+            const Basis pressure = bulk_ * dilatation(e, u);
+            Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
+            for (int q = 0; q < points_.count(); ++q) {
+                mean += shape_->cauchy(deformation(points_.of(e)[q], u)) / points_.count();
+                mean.diagonal().array() += pressure.dot(basis_of(e)[q]) / points_.count();
+            }
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) result.push_back(mean(i, j));
+        }
+        return result;
+    }
+
+private:
+    const Basis* basis_of(int element) const { return basis_.data() + static_cast<std::size_t>(element) * points_.count(); }
+    static Tensor<D> deformation(const typename Points::Point& p, const Nodal& u)
+    {
+        return Tensor<D>::Identity() + u * p.gradient.transpose();
+    }
+    /// Coefficients of Pi (J - 1).
+    Basis dilatation(int e, const Nodal& u) const
+    {
+        Basis sum = Basis::Zero();
+        for (int q = 0; q < points_.count(); ++q) {
+            const auto& p = points_.of(e)[q];
+            sum += p.volume * (deformation(p, u).determinant() - 1) * basis_of(e)[q];
+        }
+        return inverse_gram_[e] * sum;
+    }
+    Inversion find_inversion(int e, const Nodal& u) const
+    {
+        for (int q = 0; q < points_.count(); ++q)
+            if (const double det = deformation(points_.of(e)[q], u).determinant(); !(det > 0)) return {e, det};
+        return {};
+    }
+
+    /// With h = F^-T and B_m,a = integral of N_m J h grad N_a dV:
+    ///
+    ///     K = integral of grad N_a [ d2psi/dF2 + p J (h_ij h_kl - h_il h_kj) ] grad N_b dV + K B^T gram^-1 B
+    typename Points::Stiffness stiffness(int e, const Nodal& u) const
+    {
+        const Basis pressure = bulk_ * dilatation(e, u);
+        typename Points::Stiffness k = Points::Stiffness::Zero();
+        Eigen::Matrix<double, M, D * N> b = Eigen::Matrix<double, M, D * N>::Zero();
+        for (int q = 0; q < points_.count(); ++q) {
+            const auto& p = points_.of(e)[q];
+            const Tensor<D> f = deformation(p, u), h = f.inverse().transpose();
+            const double j = p.volume * f.determinant();
+            const Tangent<D> a = p.volume * shape_->tangent(f) + j * pressure.dot(basis_of(e)[q]) * cofactor_slope(h);
+            add_products<D>(a, p.gradient, p.gradient, k);
+            const Nodal slope = j * h * p.gradient; // dJ/du_a
+            b += basis_of(e)[q] * slope.reshaped().transpose();
+        }
+        k += bulk_ * b.transpose() * (inverse_gram_[e] * b);
+        return k;
+    }
+    /// d(J h_ij)/dF_kl / J = h_ij h_kl - h_il h_kj
+    static Tangent<D> cofactor_slope(const Tensor<D>& h)
+    {
+        Tangent<D> a;
+        for (int l = 0; l < D; ++l)
+            for (int k = 0; k < D; ++k)
+                for (int j = 0; j < D; ++j)
+                    for (int i = 0; i < D; ++i) a(i + D * j, k + D * l) = h(i, j) * h(k, l) - h(i, l) * h(k, j);
+        return a;
+    }
+
+    const MatrixPattern* pattern_;
+    Points points_;
+    std::unique_ptr<PointLaw<D>> shape_; // the law without its volume part
+    double bulk_, density_;
+    std::vector<Basis> basis_; // per point
+    std::vector<Gram> inverse_gram_;
+};
+
+} // namespace fem
