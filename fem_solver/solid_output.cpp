@@ -39,7 +39,7 @@ SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, c
       probes_(model.mesh(), config.probes),
       row_clock_(table_interval(config, session), Zero::every_step),
       field_clock_(field_interval(config, session), Zero::never),
-      energy_table_(session.own_dir(), model.mesh().dimension),
+      energy_table_(session.own_dir(), model.mesh().dimension, model.forces().load_names()),
       probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
       reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
       fields_(session.own_dir(), model.mesh(), session.comm())

@@ -9,14 +9,21 @@ namespace fem {
 Forces Forces::zero(Eigen::Index dofs)
 {
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(dofs);
-    return {z, z, z, z, z, z};
+    return {z, z, z, z, z, z, {}};
 }
 
 Forces Forces::blend(double a, const Forces& other, double b) const
 {
-    return {a * internal + b * other.internal,   a * damping + b * other.damping,
-            a * gravity + b * other.gravity,     a * loads + b * other.loads,
-            a * interface + b * other.interface, a * correction + b * other.correction};
+    Forces sum{a * internal + b * other.internal,
+               a * damping + b * other.damping,
+               a * gravity + b * other.gravity,
+               a * loads + b * other.loads,
+               a * interface + b * other.interface,
+               a * correction + b * other.correction,
+               {}};
+    for (std::size_t k = 0; k < each_load.size(); ++k)
+        sum.each_load.push_back(a * each_load[k] + b * other.each_load[k]);
+    return sum;
 }
 
 SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings)
@@ -50,7 +57,14 @@ void SolidForces::set_gravity(const std::vector<double>& acceleration)
     gravity_ = inertia(field);
 }
 
-Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces) const
+void SolidForces::add_load(std::unique_ptr<Load> load, std::string name, TimeFactor factor)
+{
+    loads_.push_back(std::move(load));
+    factors_.push_back(std::move(factor));
+    load_names_.push_back(std::move(name));
+}
+
+Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces, double time) const
 {
     forces.internal.setZero();
     if (const Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal);
@@ -59,7 +73,12 @@ Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forc
     if (damped_) forces.damping.noalias() = damping_ * motion.velocity;
     forces.gravity = scale * gravity_;
     forces.loads.setZero();
-    for (const auto& load : loads_) load->add_force(motion, scale, forces.loads);
+    forces.each_load.resize(loads_.size());
+    for (std::size_t k = 0; k < loads_.size(); ++k) {
+        forces.each_load[k].setZero(dofs());
+        loads_[k]->add_force(motion, scale * load_factor(k, time), forces.each_load[k]);
+        forces.loads += forces.each_load[k];
+    }
     forces.interface.setZero();
     if (interface_) interface_->add_force(motion, scale, forces.interface);
     forces.correction.setZero();
@@ -71,7 +90,8 @@ Matrix SolidForces::tangent(const Motion& motion, const TangentFactors& factors)
 {
     Matrix k = pattern_.zero();
     body_->add_stiffness(motion.displacement, k);
-    for (const auto& load : loads_) load->add_tangent(motion, factors.scale, factors.velocity_slope, k);
+    for (std::size_t i = 0; i < loads_.size(); ++i)
+        loads_[i]->add_tangent(motion, factors.scale * load_factor(i, factors.time), factors.velocity_slope, k);
     if (interface_) interface_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
     if (correction_) correction_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
     if (damped_) k.coeffs() += factors.velocity_slope * damping_.coeffs();

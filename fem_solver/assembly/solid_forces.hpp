@@ -4,6 +4,9 @@
 #include "fem_solver/assembly/load.hpp"
 #include "fem_solver/assembly/solid_body.hpp"
 
+#include <functional>
+#include <string>
+
 namespace fem {
 
 /// Nodal forces of one instant by origin [N] (2D: N/m).
@@ -14,6 +17,7 @@ struct Forces {
     Eigen::VectorXd loads;      ///< pressures, tractions, nodal forces of the configuration
     Eigen::VectorXd interface;  ///< what the fluid sent
     Eigen::VectorXd correction; ///< what the coupling scheme adds to it (impedance)
+    std::vector<Eigen::VectorXd> each_load; ///< the parts of `loads`, one for each load
 
     static Forces zero(Eigen::Index dofs);
     /// g = f_int + C v - f_ext, the unbalanced force without inertia.
@@ -36,7 +40,10 @@ public:
 
     void set_damping(const Damping& damping);
     void set_gravity(const std::vector<double>& acceleration);
-    void add_load(std::unique_ptr<Load> load) { loads_.push_back(std::move(load)); }
+    /// \param factor of time t [s], which multiplies the load. \param name for its column of works.
+    using TimeFactor = std::function<double(double t)>;
+    void add_load(std::unique_ptr<Load> load, std::string name = "", TimeFactor factor = {});
+    const std::vector<std::string>& load_names() const { return load_names_; }
     void set_interface_load(std::unique_ptr<Load> load) { interface_ = std::move(load); }
     void set_correction(std::unique_ptr<Load> load) { correction_ = std::move(load); }
 
@@ -48,10 +55,12 @@ public:
     SolidBody& body() const { return *body_; }
 
     /// All forces for a motion. \param scale factor on gravity and loads (static load stepping; 1 otherwise).
-    Inversion evaluate(const Motion& motion, double scale, Forces& forces) const;
+    /// \param time at which the loads' factors are taken [s].
+    Inversion evaluate(const Motion& motion, double scale, Forces& forces, double time = 0) const;
     /// mass_factor M + stiffness_factor (dg/du + velocity_slope dg/dv), g the unbalanced force.
     struct TangentFactors {
         double mass, stiffness, velocity_slope, scale;
+        double time = 0;
     };
     Matrix tangent(const Motion& motion, const TangentFactors& factors) const;
 
@@ -69,12 +78,16 @@ public:
     }
 
 private:
+    double load_factor(std::size_t k, double time) const { return factors_[k] ? factors_[k](time) : 1; }
+
     MatrixPattern pattern_;
     std::unique_ptr<SolidBody> body_;
     Matrix mass_, sparse_mass_, initial_stiffness_, damping_;
     bool damped_ = false;
     Eigen::VectorXd gravity_;
     std::vector<std::unique_ptr<Load>> loads_;
+    std::vector<TimeFactor> factors_;
+    std::vector<std::string> load_names_;
     std::unique_ptr<Load> interface_, correction_;
     double element_size_ = 0, round_off_ = 0; // [m], eps K [N/m]
 };

@@ -2,29 +2,34 @@
 #pragma once
 
 #include "coupler_lib/base/config.hpp"
+#include "coupler_lib/base/expression.hpp"
 
 #include <string>
 #include <vector>
 
 namespace fem {
 
-/// [[supports]]: displacements held at zero.
+/// [[supports]]: displacements held at zero or on a path.
 struct SupportConfig {
     std::string group;
     std::vector<std::string> fix;
+    base::Formula ux, uy, uz;
+    double derivative_step = 1e-4;
 };
 
 /// [[loads]]
 struct LoadConfig {
+    std::string name;
     std::string kind;
     std::string group;
+    base::Formula factor{"1"};
     double pressure = 0;
     std::string distribution = "uniform";
     double density = 0;
     double level = 0;
     double gravity = 9.81;
     bool follower = true;
-    std::vector<double> traction, position, force;
+    std::vector<double> traction, position, force, stiffness;
 };
 
 /// [interface]: where the fluid may touch the solid.

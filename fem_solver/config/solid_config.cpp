@@ -77,15 +77,43 @@ void check_material(SolidConfig& config, const base::ConfigReader& reader,
 
 void check_load(const LoadConfig& load, const base::ConfigReader& reader, const std::string& path, int dimension)
 {
-    if (load.kind == "nodal_force") {
-        require_size(reader, load.position, path + ".position", dimension);
-        require_size(reader, load.force, path + ".force", dimension);
+    if (load.kind == "spring") require_size(reader, load.stiffness, path + ".stiffness", dimension);
+    if (load.kind == "nodal_force") require_size(reader, load.force, path + ".force", dimension);
+    if (load.kind == "spring" || load.kind == "nodal_force") {
+        base::require_input(load.group.empty() != load.position.empty(), reader.where(path), ": a ", load.kind,
+                            " needs a group or a position, and not both");
+        if (load.group.empty()) require_size(reader, load.position, path + ".position", dimension);
         return;
     }
     base::require_input(!load.group.empty(), reader.where(path), ": a ", load.kind, " needs the group it acts on");
-    if (load.kind == "traction") require_size(reader, load.traction, path + ".traction", dimension);
+    if (load.kind.ends_with("traction")) require_size(reader, load.traction, path + ".traction", dimension);
     base::require_input(load.kind != "pressure" || load.distribution == "uniform" || load.density > 0,
                         reader.where(path), ": a hydrostatic pressure needs density and level");
+}
+
+/// Each load has a name of its own.
+void name_loads(SolidConfig& config, const base::ConfigReader& reader)
+{
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < config.loads.size(); ++k) {
+        std::string& name = config.loads[k].name;
+        if (name.empty()) name = "load" + std::to_string(k + 1);
+        base::require_input(names.insert(name).second, reader.where(element("loads", k)), ": a load \"", name,
+                            "\" exists already");
+    }
+}
+
+void check_support(const SupportConfig& support, const base::ConfigReader& reader, const std::string& path,
+                   int dimension)
+{
+    const bool moved = !support.ux.text.empty() || !support.uy.text.empty() || !support.uz.text.empty();
+    base::require_input(moved || !support.fix.empty(), reader.where(path), ": a support needs fix = [\"x\", ...] or ",
+                        "a displacement ux, uy");
+    base::require_input(dimension == 3 || support.uz.text.empty(), support.uz.where, ": uz in a model of dimension 2");
+    const auto fixed = [&](const char* axis) { return std::ranges::count(support.fix, axis) > 0; };
+    base::require_input(!(fixed("x") && !support.ux.text.empty()) && !(fixed("y") && !support.uy.text.empty()) &&
+                            !(fixed("z") && !support.uz.text.empty()),
+                        reader.where(path), ": a component is fixed and has a displacement; give one of them");
 }
 
 void check_probes(const SolidConfig& config, const base::ConfigReader& reader)
@@ -124,8 +152,11 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
     check_material(config, reader, materials);
     if (config.gravity.acceleration.empty()) config.gravity.acceleration.assign(config.model.dimension, 0.0);
     require_size(reader, config.gravity.acceleration, "gravity.acceleration", config.model.dimension);
+    name_loads(config, reader);
     for (std::size_t k = 0; k < config.loads.size(); ++k)
         check_load(config.loads[k], reader, element("loads", k), config.model.dimension);
+    for (std::size_t k = 0; k < config.supports.size(); ++k)
+        check_support(config.supports[k], reader, element("supports", k), config.model.dimension);
     check_probes(config, reader);
     return config;
 }

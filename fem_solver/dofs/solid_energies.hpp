@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 namespace fem {
 
 /// Energies now, and works and dissipations since the start [J] (2D: J/m). Work is positive when done on the solid.
@@ -9,6 +11,7 @@ struct SolidEnergies {
     double work_interface = 0;  ///< by the fluid, the impedance correction included
     double work_correction = 0; ///< the correction's part of it
     double work_supports = 0, work_loads = 0;
+    std::vector<double> work_of_load; ///< parts of work_loads, one for each load
     double damping = 0;               ///< dissipated by C v
     double numerical_dissipation = 0; ///< of the time scheme; second order in dt and not of one sign
     double balance_error = 0;         ///< what is left of the energy identity, see EnergyLedger

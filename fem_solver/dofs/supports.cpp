@@ -3,19 +3,54 @@
 
 #include "coupler_lib/foundation/check.hpp"
 
+#include <algorithm>
+
 namespace fem {
+
+std::vector<int> Supports::hold(const std::string& group, const std::string& component)
+{
+    const std::string names = mesh_->dimension == 2 ? "xy" : "xyz";
+    const auto k = component.size() == 1 ? names.find(component) : std::string::npos;
+    base::require_input(k != std::string::npos, "support of group '", group, "': '", component,
+                        "' is no direction of a ", mesh_->dimension, "D model");
+    std::vector<int> dofs;
+    for (const int node : mesh_->group_nodes(group)) {
+        dofs.push_back(node * mesh_->dimension + static_cast<int>(k));
+        fixed_[dofs.back()] = 1;
+    }
+    if (std::ranges::count(groups_, group) == 0) groups_.push_back(group);
+    return dofs;
+}
 
 void Supports::fix(const std::string& group, const std::vector<std::string>& components)
 {
-    const std::string names = mesh_->dimension == 2 ? "xy" : "xyz";
     base::require_input(!components.empty(), "support of group '", group, "': fix is empty; give e.g. [\"x\", \"y\"]");
-    for (const std::string& component : components) {
-        const auto k = component.size() == 1 ? names.find(component) : std::string::npos;
-        base::require_input(k != std::string::npos, "support of group '", group, "': '", component,
-                            "' is no direction of a ", mesh_->dimension, "D model");
-        for (const int node : mesh_->group_nodes(group)) fixed_[node * mesh_->dimension + k] = 1;
+    for (const std::string& component : components) hold(group, component);
+}
+
+void Supports::prescribe(const std::string& group, const std::string& component, base::TimeFunction path)
+{
+    paths_.push_back({hold(group, component), std::move(path)});
+}
+
+void Supports::set_motion(double time, Motion& motion) const
+{
+    for (const Path& path : paths_) {
+        const base::TimeValue now = path.at(time);
+        for (const int dof : path.dofs) {
+            motion.displacement[dof] = now.value;
+            motion.velocity[dof] = now.rate;
+            motion.acceleration[dof] = now.acceleration;
+        }
     }
-    groups_.push_back(group);
+}
+
+Eigen::VectorXd Supports::gap(double time, const Eigen::VectorXd& displacement) const
+{
+    Eigen::VectorXd gap = Eigen::VectorXd::Zero(displacement.size());
+    for (const Path& path : paths_)
+        for (const int dof : path.dofs) gap[dof] = path.at(time).value - displacement[dof];
+    return gap;
 }
 
 void Supports::clear_rows(Eigen::VectorXd& vector) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "coupler_lib/base/time_function.hpp"
+#include "fem_solver/dofs/motion.hpp"
 #include "fem_solver/dofs/sparse_matrix.hpp"
 
 #include <string>
@@ -8,7 +10,7 @@
 
 namespace fem {
 
-/// Components of the nodes of named groups held at zero displacement.
+/// Components of the nodes of named groups that are held, at zero displacement or on a given path.
 class Supports {
 public:
     explicit Supports(const Mesh& mesh) : mesh_(&mesh), fixed_(mesh.coordinates.size(), 0) {}
@@ -16,6 +18,16 @@ public:
     /// Holds components ("x", "y", "z") of a node group.
     /// \throws base::Error bad_input for an unknown group or component.
     void fix(const std::string& group, const std::vector<std::string>& components);
+
+    /// Moves a component of a node group as a function of time says [m]. \throws as fix.
+    void prescribe(const std::string& group, const std::string& component, base::TimeFunction path);
+
+    /// Whether any component is moved.
+    bool moves() const { return !paths_.empty(); }
+    /// Gives moved components their displacement, velocity and acceleration at a time [s].
+    void set_motion(double time, Motion& motion) const;
+    /// What moved components lack to their displacement at a time; zero elsewhere [m].
+    Eigen::VectorXd gap(double time, const Eigen::VectorXd& displacement) const;
 
     bool fixed(int dof) const { return fixed_[dof] != 0; }
     bool empty() const { return groups_.empty(); }
@@ -31,9 +43,17 @@ public:
     std::vector<double> reaction(const std::string& group, const Eigen::VectorXd& forces) const;
 
 private:
+    /// Holds one component of a group; returns its entries in the vectors over all nodes.
+    std::vector<int> hold(const std::string& group, const std::string& component);
+
+    struct Path {
+        std::vector<int> dofs;
+        base::TimeFunction at;
+    };
     const Mesh* mesh_;
     std::vector<char> fixed_;
     std::vector<std::string> groups_;
+    std::vector<Path> paths_;
 };
 
 } // namespace fem

@@ -7,15 +7,16 @@
 namespace fem {
 
 /// energy.csv: energies, works and dissipations over time [J] (2D: J/m). No contact is computed, so its two columns
-/// are zero.
+/// are zero. Each load's own work has a column at the end, "work_load.NAME".
 class EnergyTable {
 public:
-    EnergyTable(const std::string& folder, int dimension);
+    EnergyTable(const std::string& folder, int dimension, const std::vector<std::string>& loads);
 
     /// \param time [s]. \param dt length of the step that ended there [s].
     void write(double time, double dt, const SolidEnergies& energies);
 
 private:
+    std::size_t loads_;
     base::CsvWriter file_;
 };
 

@@ -3,10 +3,8 @@
 
 #include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/foundation/check.hpp"
-#include "fem_solver/assembly/pressure_load.hpp"
 #include "fem_solver/mesh/block_mesh.hpp"
-
-#include <algorithm>
+#include "fem_solver/setup/make_load.hpp"
 
 namespace fem {
 namespace {
@@ -34,12 +32,6 @@ Marlow marlow(const std::string& path, double poisson)
     } catch (const base::Error& error) {
         throw base::Error(error.code(), path + ": " + error.what());
     }
-}
-
-PressureField pressure_field(const LoadConfig& load, int dimension)
-{
-    if (load.distribution == "uniform") return [p = load.pressure](const double*) { return p; };
-    return [=](const double* x) { return load.density * load.gravity * std::max(load.level - x[dimension - 1], 0.0); };
 }
 
 } // namespace
@@ -76,29 +68,26 @@ SolidModel::SolidModel(const SolidConfig& config)
       forces_(mesh_, make_material(config.material),
               {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {
-    for (const SupportConfig& support : config.supports) supports_.fix(support.group, support.fix);
+    for (const SupportConfig& support : config.supports) add_support(support);
     forces_.set_damping({config.damping.stiffness, config.damping.mass});
     forces_.set_gravity(config.gravity.acceleration);
     for (const LoadConfig& load : config.loads) add_load(load);
 }
 
+void SolidModel::add_support(const SupportConfig& support)
+{
+    if (!support.fix.empty()) supports_.fix(support.group, support.fix);
+    const std::pair<const char*, const base::Formula*> paths[] = {
+        {"x", &support.ux}, {"y", &support.uy}, {"z", &support.uz}};
+    for (const auto& [component, formula] : paths)
+        if (!formula->text.empty())
+            supports_.prescribe(support.group, component,
+                                base::with_derivatives(function_of_time(*formula), support.derivative_step));
+}
+
 void SolidModel::add_load(const LoadConfig& load)
 {
-    if (load.kind == "nodal_force") {
-        Eigen::VectorXd force = Eigen::VectorXd::Zero(forces_.dofs());
-        const int node = mesh_.nearest_node(load.position);
-        for (int k = 0; k < mesh_.dimension; ++k) force[node * mesh_.dimension + k] = load.force[k];
-        forces_.add_load(std::make_unique<DeadLoad>(force));
-        return;
-    }
-    const auto& faces = mesh_.faces(load.group);
-    const PressureField pressure = pressure_field(load, mesh_.dimension);
-    if (load.kind == "traction")
-        forces_.add_load(std::make_unique<DeadLoad>(traction_force(mesh_, faces, load.traction)));
-    else if (load.follower)
-        forces_.add_load(make_follower_pressure(mesh_, forces_.pattern(), faces, pressure));
-    else
-        forces_.add_load(std::make_unique<DeadLoad>(dead_pressure_force(mesh_, forces_.pattern(), faces, pressure)));
+    forces_.add_load(make_load(load, mesh_, forces_.pattern()), load.name, function_of_time(load.factor));
 }
 
 } // namespace fem

@@ -20,6 +20,7 @@ public:
     const SolidForces& forces() const { return forces_; }
 
 private:
+    void add_support(const SupportConfig& support);
     void add_load(const LoadConfig& load);
 
     Mesh mesh_;

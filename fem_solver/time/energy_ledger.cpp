@@ -10,6 +10,7 @@ void EnergyLedger::start(const Motion& motion, const Forces& forces)
     energies_.strain = forces_->strain_energy(motion);
     energies_.potential = forces_->potential_energy(motion);
     initial_total_ = energies_.total();
+    energies_.work_of_load.assign(forces.each_load.size(), 0.0);
     weighted_ = forces;
     reaction_ = support_force(motion, weighted_);
 }
@@ -28,7 +29,10 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     energies_.work_correction += correction;
     energies_.work_interface += work(weighted_.interface, weighted_np1.interface) + correction;
     energies_.work_loads += work(weighted_.loads, weighted_np1.loads);
+    for (std::size_t k = 0; k < weighted_.each_load.size(); ++k)
+        energies_.work_of_load[k] += work(weighted_.each_load[k], weighted_np1.each_load[k]);
     energies_.work_supports += work(reaction_, reaction_np1);
+    if (supports_->moves()) energies_.work_supports += imposed_work(motion_n, motion_np1, dt);
     energies_.damping += work(weighted_.damping, weighted_np1.damping);
 
     const double strain = forces_->strain_energy(motion_np1);
@@ -46,6 +50,18 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
                               energies_.work_interface - energies_.work_supports - energies_.work_loads;
     weighted_ = weighted_np1;
     reaction_ = reaction_np1;
+}
+
+double EnergyLedger::imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const
+{
+    const double beta = hht_.beta(), gamma = hht_.gamma();
+    const Eigen::VectorXd mean = (1 - gamma) * motion_n.acceleration + gamma * motion_np1.acceleration;
+    const Eigen::VectorXd dv = motion_np1.velocity - motion_n.velocity - dt * mean;
+    const Eigen::VectorXd du =
+        motion_np1.displacement - motion_n.displacement - dt * motion_n.velocity -
+        dt * dt * ((0.5 - beta) * motion_n.acceleration + beta * motion_np1.acceleration);
+    return (0.5 * dt * dv - du).dot(forces_->inertia(mean)) +
+           0.5 * (motion_n.velocity + motion_np1.velocity).dot(forces_->inertia(dv));
 }
 
 Eigen::VectorXd EnergyLedger::support_force(const Motion& motion, const Forces& weighted) const

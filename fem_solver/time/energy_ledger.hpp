@@ -15,6 +15,12 @@ namespace fem {
 ///
 /// Every force is booked by its own <f>; what <f_int> exceeds the change of strain energy by belongs, with the last
 /// term, to the numerical dissipation. The rest is the Newton residual's work: `balance_error`.
+///
+/// Supports on a given path have the path's own velocity and acceleration, which the scheme's two relations miss by
+/// dv - dt [(1-gamma) a_0 + gamma a_1] = r_v and du - dt v_0 - dt^2 [...] = r_u, of third order in dt. That part of the
+/// supports' work is booked with them, with a_m = (1-gamma) a_0 + gamma a_1:
+///
+///     (dt r_v / 2 - r_u) . M a_m + (v_0 + v_1)/2 . M r_v
 class EnergyLedger {
 public:
     EnergyLedger(const SolidForces& forces, const Supports& supports, const Hht& hht)
@@ -32,6 +38,7 @@ public:
 
 private:
     Eigen::VectorXd support_force(const Motion& motion, const Forces& weighted) const;
+    double imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const;
 
     const SolidForces* forces_;
     const Supports* supports_;

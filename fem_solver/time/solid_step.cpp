@@ -30,16 +30,18 @@ SolidStep::SolidStep(const Mesh& mesh, const SolidForces& forces, const Supports
 
 void SolidStep::start(Motion& motion)
 {
-    const Inversion inversion = model_.evaluate(motion, 1, forces_n_);
+    supports_.set_motion(time_, motion);
+    const Inversion inversion = model_.evaluate(motion, 1, forces_n_, time_);
     base::require(!inversion.happened(), base::ExitCode::numerical_failure, "element ", inversion.element,
                   " is inverted in the initial state");
     Matrix mass = model_.mass();
     supports_.clear(mass, mass.diagonal().mean());
-    Eigen::VectorXd right_hand_side = -forces_n_.unbalanced();
+    const Eigen::VectorXd held = supports_.held_part(motion.acceleration);
+    Eigen::VectorXd right_hand_side = -forces_n_.unbalanced() - model_.inertia(held);
     supports_.clear_rows(right_hand_side);
     LinearSolver solver;
     solver.factorise(mass);
-    motion.acceleration = solver.solve(right_hand_side);
+    motion.acceleration = solver.solve(right_hand_side) + held;
     ledger_.start(motion, forces_n_);
 }
 
@@ -78,7 +80,8 @@ bool SolidStep::predict(Motion& motion, Predictor predictor, double dt)
         hht_.predict_still(motion, dt);
     else
         hht_.predict(motion, dt);
-    return !model_.evaluate(motion, 1, forces_np1_).happened();
+    supports_.set_motion(time_ + dt, motion);
+    return !model_.evaluate(motion, 1, forces_np1_, time_ + dt).happened();
 }
 
 /// M a_1 + (1 + alpha) g_1 - alpha g_0
@@ -97,8 +100,8 @@ double SolidStep::force_scale(const Eigen::VectorXd& inertia) const
 
 void SolidStep::factorise(const Motion& motion, double dt)
 {
-    Matrix matrix =
-        model_.tangent(motion, {hht_.acceleration_slope(dt), 1 + hht_.alpha(), hht_.velocity_slope(dt), 1.0});
+    Matrix matrix = model_.tangent(
+        motion, {hht_.acceleration_slope(dt), 1 + hht_.alpha(), hht_.velocity_slope(dt), 1.0, time_ + dt});
     supports_.clear(matrix, matrix.diagonal().mean());
     solver_.factorise(matrix);
     factorised_dt_ = dt;
@@ -110,7 +113,7 @@ bool SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double 
     ++iterations_;
     double scale = 1;
     hht_.correct(motion, correction, scale, dt);
-    for (int halvings = 0; model_.evaluate(motion, 1, forces_np1_).happened(); ++halvings) {
+    for (int halvings = 0; model_.evaluate(motion, 1, forces_np1_, time_ + dt).happened(); ++halvings) {
         if (halvings == max_halvings || !correction.allFinite()) return false;
         scale *= 0.5;
         hht_.correct(motion, correction, -scale, dt);

@@ -44,23 +44,30 @@ void StaticSolution::raise(Motion& motion, double from, double to)
     }
 }
 
-/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere.
+/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere. The first correction takes moved
+/// supports to their place and the body along.
 bool StaticSolution::equilibrate(Motion& motion, double factor)
 {
     newton_.start();
     reason_ = "turns elements inside out";
-    if (model_.evaluate(motion, factor, forces_now_).happened()) return false;
+    if (model_.evaluate(motion, factor, forces_now_, factor).happened()) return false;
+    Eigen::VectorXd gap = supports_.gap(factor, motion.displacement);
     for (;;) {
         Eigen::VectorXd residual = forces_now_.unbalanced();
         const double scale = std::max(residual.cwiseAbs().maxCoeff(), forces_now_.internal.cwiseAbs().maxCoeff());
         supports_.clear_rows(residual);
-        if (newton_.converged(residual, scale, model_.round_off(motion))) return true;
+        const bool there = gap.isZero(0);
+        if (newton_.converged(residual, scale, model_.round_off(motion)) && there) return true;
         reason_ = "did not converge";
         if (newton_.exhausted()) return false;
-        Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor});
+        Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor, factor});
+        if (!there) residual += matrix * gap;
+        supports_.clear_rows(residual);
         supports_.clear(matrix, matrix.diagonal().mean());
         solver_.factorise(matrix);
-        if (!apply(motion, solver_.solve(-residual), factor)) return false;
+        if (!apply(motion, gap - solver_.solve(residual), factor)) return false;
+        if (!there && !supports_.gap(factor, motion.displacement).isZero(1e-12)) return false; // cut on the way
+        gap.setZero();
     }
 }
 
@@ -74,7 +81,7 @@ bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, do
     double scale = 1;
     motion.displacement += correction;
     reason_ = "turns elements inside out";
-    for (int halvings = 0; model_.evaluate(motion, factor, forces_now_).happened(); ++halvings) {
+    for (int halvings = 0; model_.evaluate(motion, factor, forces_now_, factor).happened(); ++halvings) {
         if (halvings == max_halvings) return false;
         scale *= 0.5;
         motion.displacement -= scale * correction;

@@ -2,6 +2,7 @@
 #include "fem_solver/assembly/impedance_load.hpp"
 #include "fem_solver/assembly/pressure_load.hpp"
 #include "fem_solver/assembly/solid_forces.hpp"
+#include "fem_solver/assembly/surface_traction.hpp"
 #include "fem_solver/mesh/linear_facets.hpp"
 #include "tests/fem_solver/support/distorted_block.hpp"
 
@@ -61,6 +62,38 @@ TEST_P(Tangents, OfFollowerPressure)
 {
     soft_.add_load(
         make_follower_pressure(mesh_, soft_.pattern(), mesh_.faces("left"), [](const double* x) { return 2 + x[1]; }));
+    expect_tangent_matches(mesh_, soft_, 1e-8);
+}
+
+TEST_P(Tangents, OfFollowerTraction)
+{
+    const std::vector<double> traction{0.7, -1.3, 0.4};
+    soft_.add_load(make_follower_traction(mesh_, soft_.pattern(), mesh_.faces("top"),
+                                          {traction.begin(), traction.begin() + mesh_.dimension}));
+    expect_tangent_matches(mesh_, soft_, 1e-8);
+}
+
+/// Carried along by a rigid turn, the traction turns with the body.
+TEST_P(Tangents, FollowerTractionTurnsWithTheBody)
+{
+    const int d = mesh_.dimension;
+    const std::vector<double> traction{0.7, -1.3, 0.4};
+    const auto load = make_follower_traction(mesh_, soft_.pattern(), mesh_.faces("right"),
+                                             {traction.begin(), traction.begin() + d});
+    Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(d, d);
+    turn.topLeftCorner(2, 2) << std::cos(0.8), -std::sin(0.8), std::sin(0.8), std::cos(0.8);
+    Motion motion = Motion::at_rest(soft_.dofs());
+    motion.displacement = linear_field(mesh_, turn - Eigen::MatrixXd::Identity(d, d));
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(soft_.dofs());
+    load->add_force(motion, 1, force);
+    const Eigen::VectorXd sum = force.reshaped(d, mesh_.nodes()).rowwise().sum();
+    EXPECT_LT((sum - turn * Eigen::Map<const Eigen::VectorXd>(traction.data(), d)).norm(), 1e-13);
+}
+
+TEST_P(Tangents, OfSprings)
+{
+    soft_.add_load(std::make_unique<Springs>(spring_stiffness(
+        mesh_, soft_.pattern(), mesh_.faces("top"), std::vector<double>(mesh_.dimension, 3.0))));
     expect_tangent_matches(mesh_, soft_, 1e-8);
 }
 

@@ -110,6 +110,46 @@ TEST(SolidConfig, KnowsTheLawsOfRubber)
     EXPECT_EQ(marlow.shape.curve->last_strain(), 0.5);
 }
 
+TEST(SolidConfig, MovesSupportsAndLoadsOverTime)
+{
+    const SolidModel model(read(valid + R"toml(factor = "sin(2*t)"
+name = "pull"
+[[loads]]
+kind = "spring"
+group = "right"
+stiffness = [5.0, 0.0]
+[[loads]]
+kind = "nodal_force"
+group = "left"
+force = [0.0, 1.0]
+[[supports]]
+group = "top"
+uy = "0.1*t^2"
+)toml"));
+    EXPECT_EQ(model.forces().load_names(), (std::vector<std::string>{"pull", "load2", "load3"}));
+    Motion motion = Motion::at_rest(model.forces().dofs());
+    model.supports().set_motion(2.0, motion);
+    EXPECT_NEAR(motion.displacement.sum(), 3 * 0.4, 1e-12);
+    EXPECT_NEAR(motion.velocity.sum(), 3 * 0.4, 1e-9);
+    EXPECT_NEAR(motion.acceleration.sum(), 3 * 0.2, 1e-6);
+    Forces forces = Forces::zero(model.forces().dofs());
+    motion.displacement.setConstant(0.1);
+    model.forces().evaluate(motion, 1, forces, 0.5);
+    EXPECT_NEAR(forces.each_load[0].sum(), 3 * std::sin(1.0), 1e-12);
+    EXPECT_NEAR(forces.each_load[1].sum(), -5 * 2 * 0.1, 1e-12);
+    EXPECT_NEAR(forces.each_load[2].sum(), 5, 1e-12); // five nodes on the left
+}
+
+TEST(SolidConfig, NamesWhatALoadOrSupportLacks)
+{
+    expect_error(valid + "[[supports]]\ngroup = \"top\"\n", "needs fix");
+    expect_error(valid + "[[supports]]\ngroup = \"top\"\nfix = [\"x\"]\nux = \"t\"\n", "give one of them");
+    expect_error(valid + "[[supports]]\ngroup = \"top\"\nuz = \"t\"\n", "dimension 2");
+    expect_error(valid + "[[supports]]\ngroup = \"top\"\nux = \"2*x\"\n", "x");
+    expect_error(valid + "[[loads]]\nkind = \"spring\"\ngroup = \"top\"\n", "needs 2");
+    expect_error(valid + "[[loads]]\nkind = \"nodal_force\"\nforce = [1.0, 0.0]\n", "group or a position");
+}
+
 TEST(SolidConfig, NamesWhatALawLacks)
 {
     expect_error(with_law("law = \"neo_hookean\"\nnu = 0.3"), "E [Pa] above zero");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Large deformations with exact or converged answers: beams as elastica, Cook's membrane, the thick cylinder.
+#include "fem_solver/assembly/surface_traction.hpp"
 #include "tests/fem_solver/support/bench.hpp"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,16 @@ TEST(Elastica, DeadEndShear)
     EXPECT_NEAR(-u[beam.tip()] / 0.328941, 1, 0.002);
     EXPECT_NEAR(u[beam.tip() + 1] / 0.669964, 1, 0.002);
     EXPECT_NEAR(beam.angle(u) / 1.121239, 1, 0.002);
+}
+
+TEST(Elastica, FollowerEndShear)
+{
+    Beam beam;
+    beam.forces.add_load(make_follower_traction(beam.mesh, beam.forces.pattern(), beam.mesh.faces("right"),
+                                                {0, 4 * Beam::bending / Beam::height}));
+    const Eigen::VectorXd u = beam.rest(10);
+    EXPECT_NEAR(-u[beam.tip()] / 0.657254, 1, 0.002);
+    EXPECT_NEAR(u[beam.tip() + 1] / 0.786168, 1, 0.002);
 }
 
 /// A pressure that changes linearly over the end face is a moment; M L/EI = pi bends the beam to half a circle.
