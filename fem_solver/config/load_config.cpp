@@ -10,8 +10,8 @@ base::Table<SupportConfig> support_table()
         .key("fix", &SupportConfig::fix, {.doc = "components held at zero", .choices = {"x", "y", "z"}})
         .key("ux", &SupportConfig::ux,
              {.unit = "m",
-              .doc = "displacement along x, a formula of the time t [s]; velocity and acceleration are its "
-                     "derivatives. Static: t is the load factor, 0 to 1"})
+              .doc = "displacement along x, a formula of the time t [s] and the reference position x, y, z [m]; "
+                     "velocity and acceleration are its derivatives. Static: t is the load factor, 0 to 1"})
         .key("uy", &SupportConfig::uy, {.unit = "m", .doc = "along y"})
         .key("uz", &SupportConfig::uz, {.unit = "m", .doc = "along z"})
         .key("derivative_step", &SupportConfig::derivative_step,

@@ -28,28 +28,25 @@ void Supports::fix(const std::string& group, const std::vector<std::string>& com
     for (const std::string& component : components) hold(group, component);
 }
 
-void Supports::prescribe(const std::string& group, const std::string& component, base::TimeFunction path)
+void Supports::prescribe(const std::string& group, const std::string& component, const Path& path)
 {
-    paths_.push_back({hold(group, component), std::move(path)});
+    for (const int dof : hold(group, component)) moved_.push_back({dof, path(mesh_->node(dof / mesh_->dimension))});
 }
 
 void Supports::set_motion(double time, Motion& motion) const
 {
-    for (const Path& path : paths_) {
-        const base::TimeValue now = path.at(time);
-        for (const int dof : path.dofs) {
-            motion.displacement[dof] = now.value;
-            motion.velocity[dof] = now.rate;
-            motion.acceleration[dof] = now.acceleration;
-        }
+    for (const Moved& moved : moved_) {
+        const base::TimeValue now = moved.at(time);
+        motion.displacement[moved.dof] = now.value;
+        motion.velocity[moved.dof] = now.rate;
+        motion.acceleration[moved.dof] = now.acceleration;
     }
 }
 
 Eigen::VectorXd Supports::gap(double time, const Eigen::VectorXd& displacement) const
 {
     Eigen::VectorXd gap = Eigen::VectorXd::Zero(displacement.size());
-    for (const Path& path : paths_)
-        for (const int dof : path.dofs) gap[dof] = path.at(time).value - displacement[dof];
+    for (const Moved& moved : moved_) gap[moved.dof] = moved.at(time).value - displacement[moved.dof];
     return gap;
 }
 

@@ -5,6 +5,7 @@
 #include "fem_solver/dofs/motion.hpp"
 #include "fem_solver/dofs/sparse_matrix.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,13 @@ public:
     /// \throws base::Error bad_input for an unknown group or component.
     void fix(const std::string& group, const std::vector<std::string>& components);
 
-    /// Moves a component of a node group as a function of time says [m]. \throws as fix.
-    void prescribe(const std::string& group, const std::string& component, base::TimeFunction path);
+    /// Displacement along one axis of the node with a reference position, over time [m].
+    using Path = std::function<base::TimeFunction(const double* reference)>;
+    /// Moves a component of a node group on a path. \throws as fix.
+    void prescribe(const std::string& group, const std::string& component, const Path& path);
 
     /// Whether any component is moved.
-    bool moves() const { return !paths_.empty(); }
+    bool moves() const { return !moved_.empty(); }
     /// Gives moved components their displacement, velocity and acceleration at a time [s].
     void set_motion(double time, Motion& motion) const;
     /// What moved components lack to their displacement at a time; zero elsewhere [m].
@@ -46,14 +49,14 @@ private:
     /// Holds one component of a group; returns its entries in the vectors over all nodes.
     std::vector<int> hold(const std::string& group, const std::string& component);
 
-    struct Path {
-        std::vector<int> dofs;
+    struct Moved {
+        int dof;
         base::TimeFunction at;
     };
     const Mesh* mesh_;
     std::vector<char> fixed_;
     std::vector<std::string> groups_;
-    std::vector<Path> paths_;
+    std::vector<Moved> moved_;
 };
 
 } // namespace fem

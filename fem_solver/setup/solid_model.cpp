@@ -34,6 +34,17 @@ Marlow marlow(const std::string& path, double poisson)
     }
 }
 
+/// A formula of the reference position and of time, with its derivatives in time.
+Supports::Path path(const base::Formula& formula, int dimension, double step)
+{
+    auto expression =
+        std::make_shared<base::Expression>(formula, std::vector<std::string>{"x", "y", "z", "t"});
+    return [=](const double* x) {
+        const double z = dimension == 3 ? x[2] : 0;
+        return base::with_derivatives([=, x0 = x[0], y = x[1]](double t) { return (*expression)({x0, y, z, t}); }, step);
+    };
+}
+
 } // namespace
 
 Mesh make_mesh(const MeshConfig& config)
@@ -81,8 +92,7 @@ void SolidModel::add_support(const SupportConfig& support)
         {"x", &support.ux}, {"y", &support.uy}, {"z", &support.uz}};
     for (const auto& [component, formula] : paths)
         if (!formula->text.empty())
-            supports_.prescribe(support.group, component,
-                                base::with_derivatives(function_of_time(*formula), support.derivative_step));
+            supports_.prescribe(support.group, component, path(*formula, mesh_.dimension, support.derivative_step));
 }
 
 void SolidModel::add_load(const LoadConfig& load)

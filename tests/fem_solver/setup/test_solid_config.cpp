@@ -124,7 +124,7 @@ group = "left"
 force = [0.0, 1.0]
 [[supports]]
 group = "top"
-uy = "0.1*t^2"
+uy = "0.1*t^2*(y - 1)"
 )toml"));
     EXPECT_EQ(model.forces().load_names(), (std::vector<std::string>{"pull", "load2", "load3"}));
     Motion motion = Motion::at_rest(model.forces().dofs());
@@ -145,7 +145,7 @@ TEST(SolidConfig, NamesWhatALoadOrSupportLacks)
     expect_error(valid + "[[supports]]\ngroup = \"top\"\n", "needs fix");
     expect_error(valid + "[[supports]]\ngroup = \"top\"\nfix = [\"x\"]\nux = \"t\"\n", "give one of them");
     expect_error(valid + "[[supports]]\ngroup = \"top\"\nuz = \"t\"\n", "dimension 2");
-    expect_error(valid + "[[supports]]\ngroup = \"top\"\nux = \"2*x\"\n", "x");
+    expect_error(valid + "[[supports]]\ngroup = \"top\"\nux = \"2*q\"\n", "q");
     expect_error(valid + "[[loads]]\nkind = \"spring\"\ngroup = \"top\"\n", "needs 2");
     expect_error(valid + "[[loads]]\nkind = \"nodal_force\"\nforce = [1.0, 0.0]\n", "group or a position");
 }

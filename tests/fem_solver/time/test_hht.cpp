@@ -81,4 +81,23 @@ TEST(Hht, DampsAsItsExpansionSays)
     EXPECT_NEAR(ratio / (-alpha * (1 + alpha) * (1 + alpha) * std::pow(w_dt, 3) / 8), 1, 0.05);
 }
 
+/// Period, from the last upward crossing of zero, against the asymptotic error (w dt)^2 (1/12 - alpha/4 - 3 alpha^2/8).
+TEST(Hht, LengthensThePeriodAsItsExpansionSays)
+{
+    for (const double alpha : {0.0, -0.1, -0.3})
+        for (const double w_dt : {0.05, 0.1}) {
+            const auto u = oscillate(alpha, w_dt, static_cast<int>(200 / w_dt));
+            double crossing = 0;
+            int crossings = 0;
+            for (std::size_t i = 1; i < u.size(); ++i)
+                if (u[i - 1] < 0 && u[i] >= 0) {
+                    crossing = (static_cast<double>(i) + u[i - 1] / (u[i - 1] - u[i])) * w_dt;
+                    ++crossings;
+                }
+            const double error = crossing / (2 * M_PI * (crossings - 0.25)) - 1;
+            const double expected = w_dt * w_dt * (1.0 / 12 - alpha / 4 - 3 * alpha * alpha / 8);
+            EXPECT_NEAR(error / expected, 1, 0.05) << "alpha " << alpha << ", w dt " << w_dt;
+        }
+}
+
 } // namespace

@@ -22,6 +22,12 @@ base::TimeFunction swing(double a, double w)
     };
 }
 
+/// The same path for every node.
+Supports::Path along(const base::TimeFunction& path)
+{
+    return [path](const double*) { return path; };
+}
+
 struct Cube {
     Mesh mesh = make_block({ElementType::hexa8, {0, 0, 0}, {1, 1, 1}, {2, 1, 1}});
     SolidForces forces;
@@ -45,7 +51,7 @@ TEST(MovedSupport, PullsABar)
     bar.supports.fix("left", {"x"});
     bar.supports.fix("bottom", {"y"});
     bar.supports.fix("back", {"z"});
-    bar.supports.prescribe("right", "x", [](double t) -> base::TimeValue { return {0.5 * t, 0.5, 0}; });
+    bar.supports.prescribe("right", "x", along([](double t) -> base::TimeValue { return {0.5 * t, 0.5, 0}; }));
     std::vector<double> reaction;
     const Eigen::VectorXd u = bar.rest(3, &reaction);
     EXPECT_NEAR(reaction[0] / 4093938, 1, 1e-6);
@@ -61,7 +67,7 @@ TEST(MovedSupport, ShakesTheGateAndTheBooksClose)
 {
     for (const double alpha : {0.0, -0.05, -0.3}) {
         Gate gate(ElementType::quad8, rubber(), {}, {1, 8});
-        gate.supports.prescribe("top", "x", swing(0.01, 40));
+        gate.supports.prescribe("top", "x", along(swing(0.01, 40)));
         SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(alpha), {1e-14, 50, 0.1});
         Motion motion = Motion::at_rest(gate.forces.dofs());
         step.start(motion);
@@ -86,7 +92,7 @@ TEST(MovedSupport, CarriesABody)
 {
     Gate gate(ElementType::quad8, rubber(), {}, {1, 4});
     Supports carried(gate.mesh);
-    carried.prescribe("all", "x", [](double t) -> base::TimeValue { return {t * t * t, 3 * t * t, 6 * t}; });
+    carried.prescribe("all", "x", along([](double t) -> base::TimeValue { return {t * t * t, 3 * t * t, 6 * t}; }));
     carried.fix("all", {"y"});
     SolidStep step(gate.mesh, gate.forces, carried, Hht(-0.05), {});
     Motion motion = Motion::at_rest(gate.forces.dofs());
