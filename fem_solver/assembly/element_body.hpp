@@ -56,7 +56,7 @@ template<class Shape>
 ElementBody<Shape>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
                                 const BodySettings& settings)
     : pattern_(&pattern),
-      law_(make_point_law<D>(material.law)),
+      law_(make_point_law<D>(material)),
       density_(material.density),
       enhanced_(can_enhance && settings.formulation == Formulation::enhanced),
       points_(mesh, settings.full_integration ? Shape::full_gauss : Shape::gauss)

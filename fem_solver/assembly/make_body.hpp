@@ -21,15 +21,16 @@ template<class Shape>
 std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
                                              const BodySettings& settings)
 {
-    const auto law = split(material.law);
+    const bool sheet = Shape::dimension == 2 && material.sheet == Sheet::plane_stress; // free to change its volume
+    const auto law = sheet ? std::nullopt : split(material.law);
     BodySettings own = settings;
     own.formulation = chosen<Shape>(settings.formulation, law.has_value());
     if (own.formulation != Formulation::mixed)
         return std::make_unique<ElementBody<Shape>>(mesh, pattern, material, own);
     base::require_input(Shape::pressure_modes > 0, "the element ", name_of(mesh.type),
                         " has no mixed formulation; quad4, quad9, tri6, hexa8, hexa27 and tet10 have one");
-    base::require_input(law.has_value(), "the mixed formulation needs a law that separates shape and volume: "
-                                         "neo_hookean, mooney_rivlin, ogden or marlow");
+    base::require_input(law.has_value(), "the mixed formulation needs plane strain or 3D, and a law that separates "
+                                         "shape and volume: neo_hookean, mooney_rivlin, ogden or marlow");
     if constexpr (Shape::pressure_modes > 0)
         return std::make_unique<MixedBody<Shape, Shape::pressure_modes>>(mesh, pattern, *law, material.density);
     return nullptr;

@@ -8,7 +8,8 @@ base::Table<ModelConfig> model_table()
     return base::Table<ModelConfig>("what kind of solid is computed")
         .key("dimension", &ModelConfig::dimension, {.unit = "-", .doc = "of space", .min = 2, .max = 3})
         .key("assumption", &ModelConfig::assumption,
-             {.doc = "in 2D; plane strain: no stretch across the plane. Ignored in 3D", .choices = {"plane_strain"}});
+             {.doc = "in 2D; plane_strain: no stretch across the plane; plane_stress: no stress there. Ignored in 3D",
+              .choices = {"plane_strain", "plane_stress"}});
 }
 
 base::Table<MeshConfig> mesh_table()

@@ -12,10 +12,14 @@ namespace fem {
 /// One of the known laws (Mooney-Rivlin is a case of Ogden's).
 using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean, Ogden, Marlow>;
 
-/// A law and the mass density in the reference state [kg/m^3].
+/// What two dimensions stand for: no stretch across the plane, or no stress.
+enum class Sheet { plane_strain, plane_stress };
+
+/// A law, the mass density in the reference state [kg/m^3], and in 2D what is assumed across the plane.
 struct Material {
     Law law;
     double density = 0;
+    Sheet sheet = Sheet::plane_strain;
 };
 
 /// Cauchy stress of a law [Pa], always 3 x 3; plane strain brings its normal stress across the plane.

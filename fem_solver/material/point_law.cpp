@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/material/point_law.hpp"
 
+#include "fem_solver/material/plane_stress.hpp"
+
 namespace fem {
 namespace {
 
@@ -28,6 +30,16 @@ template<int D> std::unique_ptr<PointLaw<D>> make_point_law(const Law& law)
             return std::make_unique<OneLaw<D, std::decay_t<decltype(known)>>>(known);
         },
         law);
+}
+
+template<> std::unique_ptr<PointLaw<2>> make_point_law<2>(const Material& material)
+{
+    if (material.sheet == Sheet::plane_stress) return make_plane_stress(make_point_law<3>(material.law));
+    return make_point_law<2>(material.law);
+}
+template<> std::unique_ptr<PointLaw<3>> make_point_law<3>(const Material& material)
+{
+    return make_point_law<3>(material.law);
 }
 
 template std::unique_ptr<PointLaw<2>> make_point_law<2>(const Law&);

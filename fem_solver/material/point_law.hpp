@@ -22,5 +22,7 @@ public:
 };
 
 template<int D> std::unique_ptr<PointLaw<D>> make_point_law(const Law& law);
+/// The same with what a material assumes across the plane.
+template<int D> std::unique_ptr<PointLaw<D>> make_point_law(const Material& material);
 
 } // namespace fem

@@ -45,6 +45,13 @@ Supports::Path path(const base::Formula& formula, int dimension, double step)
     };
 }
 
+Material sheet_material(const SolidConfig& config)
+{
+    Material material = make_material(config.material);
+    if (config.model.assumption == "plane_stress") material.sheet = Sheet::plane_stress;
+    return material;
+}
+
 } // namespace
 
 Mesh make_mesh(const MeshConfig& config)
@@ -76,7 +83,7 @@ Material make_material(const MaterialConfig& config)
 SolidModel::SolidModel(const SolidConfig& config)
     : mesh_(make_mesh(config.mesh)),
       supports_(mesh_),
-      forces_(mesh_, make_material(config.material),
+      forces_(mesh_, sheet_material(config),
               {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {
     for (const SupportConfig& support : config.supports) add_support(support);

@@ -128,6 +128,49 @@ TEST(Uniaxial, FreeSidesWithALargeBulkModulus)
         }
 }
 
+/// The tangent of a sheet is the slope of its stress, that the slope of its energy; its faces are free.
+TEST(PlaneStress, IsConsistentForEveryLaw)
+{
+    Tensor<2> f;
+    f << 1.2, 0.3, -0.15, 0.9;
+    const Lame lame{mu, bulk - 2 * mu / 3};
+    for (const Law& law : {Law(SmallElastic{lame}), Law(SaintVenantKirchhoff{lame}), Law(NeoHookean{lame}),
+                           Law(two_terms(bulk)), Law(marlow(bulk))}) {
+        const auto sheet = make_point_law<2>(Material{law, 1, Sheet::plane_stress});
+        const Tangent<2> tangent = sheet->tangent(f);
+        const double h = 1e-6;
+        for (int c = 0; c < 4; ++c) {
+            Tensor<2> up = f, down = f;
+            up.reshaped()[c] += h;
+            down.reshaped()[c] -= h;
+            EXPECT_NEAR((sheet->energy(up) - sheet->energy(down)) / (2 * h), sheet->stress(f).reshaped()[c], 2e-8 * mu);
+            const Tensor<2> change = (sheet->stress(up) - sheet->stress(down)) / (2 * h);
+            for (int r = 0; r < 4; ++r) EXPECT_NEAR(change.reshaped()[r], tangent(r, c), 2e-7 * mu) << r << c;
+        }
+        EXPECT_NEAR(sheet->cauchy(f)(2, 2), 0, 1e-11 * bulk);
+    }
+}
+
+/// A strip pulled to 1.5 with free edges is the bar with free sides: 4093938 Pa at a lateral stretch of 0.85384989.
+TEST(PlaneStress, StripInTension)
+{
+    const auto sheet = make_point_law<2>(Material{NeoHookean{Lame::from_young(12e6, 0.4)}, 1, Sheet::plane_stress});
+    Tensor<2> f = Eigen::Vector2d(1.5, 1).asDiagonal();
+    for (int i = 0; i < 20; ++i) f(1, 1) -= sheet->stress(f)(1, 1) / sheet->tangent(f)(3, 3);
+    EXPECT_NEAR(f(1, 1), 0.85384989, 1e-8);
+    EXPECT_NEAR(sheet->stress(f)(0, 0) / 4093938.0, 1, 1e-6);
+}
+
+/// Hooke's sheet: E/(1 - nu^2) along, nu times that across.
+TEST(PlaneStress, HookesModuli)
+{
+    const double young = 12e6, nu = 0.3, plate = young / (1 - nu * nu);
+    const auto sheet = make_point_law<2>(Material{SmallElastic{Lame::from_young(young, nu)}, 1, Sheet::plane_stress});
+    const Tangent<2> a = sheet->tangent(Tensor<2>::Identity());
+    EXPECT_NEAR(a(0, 0), plate, 1e-9 * plate);
+    EXPECT_NEAR(a(0, 3), nu * plate, 1e-9 * plate);
+}
+
 TEST(MarlowLaw, GivesBackItsCurveInTension)
 {
     const std::vector<double> strain{0.05, 0.1, 0.2, 0.4, 0.8, 1.5}, stress{0.55e6, 1.0e6, 1.7e6, 2.7e6, 4.0e6, 9.0e6};

@@ -140,6 +140,26 @@ uy = "0.1*t^2*(y - 1)"
     EXPECT_NEAR(forces.each_load[2].sum(), 5, 1e-12); // five nodes on the left
 }
 
+/// A pulled strip whose foot may narrow: exact in plane stress, sigma = E eps for small strain, and thinner by nu eps.
+TEST(SolidConfig, PlaneStressFreesTheFaces)
+{
+    std::string text = replaced("dimension = 2", "dimension = 2\nassumption = \"plane_stress\"");
+    text.replace(text.find("law = \"neo_hookean\""), 19, "law = \"elastic\"\nkinematics = \"small\"");
+    const SolidModel model(read(text));
+    Eigen::VectorXd u(model.forces().dofs());
+    for (int i = 0; i < model.mesh().nodes(); ++i) {
+        u[2 * i] = -0.3e-3 * model.mesh().node(i)[0];
+        u[2 * i + 1] = 1e-3 * model.mesh().node(i)[1];
+    }
+    const auto stress = model.forces().body().stress(u);
+    EXPECT_NEAR(stress[0], 0, 1e-6);
+    EXPECT_NEAR(stress[4], 1e6 * 1e-3, 1e-6);
+    EXPECT_NEAR(stress[8], 0, 1e-6);
+    std::string mixed = text;
+    mixed.replace(mixed.find("element = \"quad4\""), 17, "element = \"quad9\"\nformulation = \"mixed\"");
+    expect_error(mixed, "needs plane strain or 3D");
+}
+
 TEST(SolidConfig, NamesWhatALoadOrSupportLacks)
 {
     expect_error(valid + "[[supports]]\ngroup = \"top\"\n", "needs fix");
