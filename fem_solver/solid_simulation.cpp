@@ -136,7 +136,9 @@ void SolidSimulation::run_coupled()
         loads_->set(fluid_->load(), motion_, window.dt);
         advance(window.dt);
     }
-    finish(base::JsonObject().set("wait_s", fluid_->wait_seconds()).set("bytes_received", fluid_->bytes_received())
+    finish(base::JsonObject()
+               .set("wait_s", fluid_->wait_seconds())
+               .set("bytes_received", fluid_->bytes_received())
                .set("loads_hash", fluid_->loads_hash()));
 }
 

@@ -21,8 +21,7 @@ public:
     using Stiffness = typename ElementPoints<Shape>::Stiffness;
     using Coupling = Eigen::Matrix<double, D * D, D * N>; // of the enhanced modes with the nodes
 
-    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material,
-                const BodySettings& settings);
+    ElementBody(const Mesh& mesh, const MatrixPattern& pattern, const Material& material, const BodySettings& settings);
 
     Inversion add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) override;
     void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) override;
@@ -69,8 +68,7 @@ ElementBody<Shape>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, 
         for (int q = 0; q < points_.count(); ++q) {
             const auto& gauss = points_.rule()[q];
             const double det = (x * Shape::gradients(gauss.xi).transpose()).determinant();
-            points_.of(e)[q].enhanced =
-                enhanced_gradients<D>(gauss.xi, jacobian_0, jacobian_0.determinant() / det);
+            points_.of(e)[q].enhanced = enhanced_gradients<D>(gauss.xi, jacobian_0, jacobian_0.determinant() / det);
         }
     }
     modes_.assign(mesh.elements(), Modes::Zero());
@@ -86,8 +84,7 @@ auto ElementBody<Shape>::deformation(const Point& point, const Nodal& u, int ele
     return f;
 }
 
-template<class Shape>
-auto ElementBody<Shape>::mode_system(int element, const Nodal& u) const -> ModeSystem
+template<class Shape> auto ElementBody<Shape>::mode_system(int element, const Nodal& u) const -> ModeSystem
 {
     ModeSystem system;
     for (const Point& p : points_.of(element)) {
@@ -148,8 +145,7 @@ Inversion ElementBody<Shape>::add_internal_force(const Eigen::VectorXd& displace
     return {};
 }
 
-template<class Shape>
-void ElementBody<Shape>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
+template<class Shape> void ElementBody<Shape>::add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix)
 {
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
@@ -173,29 +169,25 @@ template<class Shape> void ElementBody<Shape>::add_mass(Matrix& matrix) const
     points_.add_mass(density_, *pattern_, matrix);
 }
 
-template<class Shape>
-double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
+template<class Shape> double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
 {
     double energy = 0;
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
-        for (const Point& p : points_.of(e))
-            energy += p.volume * law_->energy(deformation(p, u, e));
+        for (const Point& p : points_.of(e)) energy += p.volume * law_->energy(deformation(p, u, e));
     }
     return energy;
 }
 
-template<class Shape>
-std::vector<double> ElementBody<Shape>::stress(const Eigen::VectorXd& displacement)
+template<class Shape> std::vector<double> ElementBody<Shape>::stress(const Eigen::VectorXd& displacement)
 {
     std::vector<double> result;
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
-        for (const Point& p : points_.of(e))
-            mean += law_->cauchy(deformation(p, u, e)) / points_.count();
+        for (const Point& p : points_.of(e)) mean += law_->cauchy(deformation(p, u, e)) / points_.count();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) result.push_back(mean(i, j));
     }

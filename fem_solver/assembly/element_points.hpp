@@ -35,8 +35,8 @@ public:
             for (const auto& gauss : rule_) {
                 const Nodal reference = Shape::gradients(gauss.xi);
                 const Modes jacobian = x * reference.transpose();
-                points_.push_back({jacobian.inverse().transpose() * reference, Modes::Zero(),
-                                   gauss.weight * jacobian.determinant()});
+                points_.push_back(
+                    {jacobian.inverse().transpose() * reference, Modes::Zero(), gauss.weight * jacobian.determinant()});
             }
         }
     }

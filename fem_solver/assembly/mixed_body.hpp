@@ -26,7 +26,10 @@ template<class Shape, int M> class MixedBody final : public SolidBody {
 
 public:
     MixedBody(const Mesh& mesh, const MatrixPattern& pattern, const SplitLaw& law, double density)
-        : pattern_(&pattern), points_(mesh, Shape::full_gauss), shape_(make_point_law<D>(law.shape)), bulk_(law.bulk),
+        : pattern_(&pattern),
+          points_(mesh, Shape::full_gauss),
+          shape_(make_point_law<D>(law.shape)),
+          bulk_(law.bulk),
           density_(density)
     {
         for (int e = 0; e < points_.elements(); ++e) {
@@ -65,7 +68,8 @@ public:
 
     void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) override
     {
-        for (int e = 0; e < points_.elements(); ++e) pattern_->add(matrix, e, stiffness(e, points_.gather(displacement, e)));
+        for (int e = 0; e < points_.elements(); ++e)
+            pattern_->add(matrix, e, stiffness(e, points_.gather(displacement, e)));
     }
 
     void add_mass(Matrix& matrix) const override { points_.add_mass(density_, *pattern_, matrix); }
@@ -103,7 +107,10 @@ public:
     }
 
 private:
-    const Basis* basis_of(int element) const { return basis_.data() + static_cast<std::size_t>(element) * points_.count(); }
+    const Basis* basis_of(int element) const
+    {
+        return basis_.data() + static_cast<std::size_t>(element) * points_.count();
+    }
     static Tensor<D> deformation(const typename Points::Point& p, const Nodal& u)
     {
         return Tensor<D>::Identity() + u * p.gradient.transpose();
@@ -132,7 +139,7 @@ private:
     {
         const Basis pressure = bulk_ * dilatation(e, u);
         typename Points::Stiffness k = Points::Stiffness::Zero();
-        Eigen::Matrix<double, M, D * N> b = Eigen::Matrix<double, M, D * N>::Zero();
+        Eigen::Matrix<double, M, D* N> b = Eigen::Matrix<double, M, D * N>::Zero();
         for (int q = 0; q < points_.count(); ++q) {
             const auto& p = points_.of(e)[q];
             const Tensor<D> f = deformation(p, u), h = f.inverse().transpose();

@@ -11,12 +11,12 @@ namespace fem {
 
 /// Nodal forces of one instant by origin [N] (2D: N/m).
 struct Forces {
-    Eigen::VectorXd internal;   ///< f_int(u)
-    Eigen::VectorXd damping;    ///< C v
-    Eigen::VectorXd gravity;    ///< M g
-    Eigen::VectorXd loads;      ///< pressures, tractions, nodal forces of the configuration
-    Eigen::VectorXd interface;  ///< what the fluid sent
-    Eigen::VectorXd correction; ///< what the coupling scheme adds to it (impedance)
+    Eigen::VectorXd internal;               ///< f_int(u)
+    Eigen::VectorXd damping;                ///< C v
+    Eigen::VectorXd gravity;                ///< M g
+    Eigen::VectorXd loads;                  ///< pressures, tractions, nodal forces of the configuration
+    Eigen::VectorXd interface;              ///< what the fluid sent
+    Eigen::VectorXd correction;             ///< what the coupling scheme adds to it (impedance)
     std::vector<Eigen::VectorXd> each_load; ///< the parts of `loads`, one for each load
 
     static Forces zero(Eigen::Index dofs);

@@ -50,7 +50,8 @@ public:
                 const auto n = FaceShape::values(point.xi);
                 const Eigen::Matrix<double, D, 1> f =
                     scale * (x * FaceShape::gradients(point.xi).transpose()) * at++->along;
-                for (int a = 0; a < N; ++a) force.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D) += n[a] * f;
+                for (int a = 0; a < N; ++a)
+                    force.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D) += n[a] * f;
             }
         }
     }
@@ -67,7 +68,8 @@ public:
                     scale * at++->along.transpose() * FaceShape::gradients(point.xi);
                 for (int b = 0; b < N; ++b)
                     for (int a = 0; a < N; ++a)
-                        pattern_->add_block(matrix, nodes[a], nodes[b], -n[a] * slope[b] * Eigen::Matrix<double, D, D>::Identity());
+                        pattern_->add_block(matrix, nodes[a], nodes[b],
+                                            -n[a] * slope[b] * Eigen::Matrix<double, D, D>::Identity());
             }
         }
     }

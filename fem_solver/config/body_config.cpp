@@ -22,16 +22,19 @@ base::Table<MeshConfig> mesh_table()
         .key("cells", &MeshConfig::cells,
              {.unit = "-", .doc = "number of elements along each direction", .min = 1, .required = true})
         .key("element", &MeshConfig::element,
-             {.doc = "shape of the elements: 2D tri or quad, 3D tet or hexa, with their number of nodes; a block cuts each cell "
+             {.doc = "shape of the elements: 2D tri or quad, 3D tet or hexa, with their number of nodes; a block cuts "
+                     "each cell "
                      "into 2 triangles or 6 tetrahedra",
               .choices = {"tri3", "tri6", "quad4", "quad8", "quad9", "tet4", "tet10", "hexa8", "hexa20", "hexa27"}})
         .key("integration", &MeshConfig::integration,
              {.doc = "of quad8 and hexa20: reduced has 2, full 3 points a direction", .choices = {"reduced", "full"}})
-        .key("formulation", &MeshConfig::formulation,
-             {.doc = "enhanced: quad4 and hexa8 with modes against locking; mixed: with a pressure in each element, linear "
-                     "in quad9 and hexa27, constant in quad4, hexa8, tri6 and tet10, for nu near 0.5; standard: "
-                     "displacements alone; automatic: enhanced for quad4 and hexa8, mixed for quad9 and hexa27",
-              .choices = {"automatic", "enhanced", "mixed", "standard"}});
+        .key(
+            "formulation", &MeshConfig::formulation,
+            {.doc =
+                 "enhanced: quad4 and hexa8 with modes against locking; mixed: with a pressure in each element, linear "
+                 "in quad9 and hexa27, constant in quad4, hexa8, tri6 and tet10, for nu near 0.5; standard: "
+                 "displacements alone; automatic: enhanced for quad4 and hexa8, mixed for quad9 and hexa27",
+             .choices = {"automatic", "enhanced", "mixed", "standard"}});
 }
 
 base::Table<MaterialConfig> material_table()
@@ -61,7 +64,8 @@ base::Table<MaterialConfig> material_table()
              {.doc = "marlow: CSV of a tension test with the columns strain[-] and stress[Pa], both nominal; a path "
                      "from the folder of this file"})
         .key("stability_range", &MaterialConfig::stability_range,
-             {.unit = "-", .doc = "principal stretches within which the law's Drucker stability is looked at",
+             {.unit = "-",
+              .doc = "principal stretches within which the law's Drucker stability is looked at",
               .min = 0.01,
               .max = 100});
 }

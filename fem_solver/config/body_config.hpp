@@ -30,9 +30,9 @@ struct MaterialConfig {
     double poisson = 0;
     double density = 0;
     std::string kinematics = "finite";
-    double c10 = 0, c01 = 0;              // mooney_rivlin
+    double c10 = 0, c01 = 0;               // mooney_rivlin
     std::vector<double> moduli, exponents; // ogden
-    std::string curve;                    // marlow
+    std::string curve;                     // marlow
     std::vector<double> stability_range = {0.5, 2};
 };
 

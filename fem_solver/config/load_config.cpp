@@ -46,7 +46,8 @@ base::Table<LoadConfig> load_table()
         .key("gravity", &LoadConfig::gravity, {.unit = "m/s^2", .doc = "of the liquid; hydrostatic", .min = 0})
         .key("follower", &LoadConfig::follower,
              {.doc = "the pressure turns with the face; false: it keeps its direction and area"})
-        .key("traction", &LoadConfig::traction, {.unit = "Pa", .doc = "per reference area, one number a dimension; traction, follower_traction"})
+        .key("traction", &LoadConfig::traction,
+             {.unit = "Pa", .doc = "per reference area, one number a dimension; traction, follower_traction"})
         .key("position", &LoadConfig::position, {.unit = "m", .doc = "of the node; nodal_force and spring"})
         .key("force", &LoadConfig::force, {.unit = "N (2D: N/m)", .doc = "one number a dimension; nodal_force"})
         .key("stiffness", &LoadConfig::stiffness,

@@ -31,7 +31,8 @@ struct Quad9 {
         {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}}};
     static constexpr std::array<std::array<int, 3>, 4> faces = Quad8::faces;
     /// As the face of a Hexa27: four linear quadrilaterals on the element's own nodes.
-    static constexpr std::array<std::array<int, 4>, 4> linear_parts{{{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}};
+    static constexpr std::array<std::array<int, 4>, 4> linear_parts{
+        {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}};
 
     static Eigen::Matrix<double, 1, 9> values(const Eigen::Vector2d& xi)
     {
@@ -51,7 +52,8 @@ struct Quad9 {
     }
 };
 
-/// Twenty-seven-node hexahedron: Hexa20, then the middles of its faces in the order of `faces` (20-25), then its centre.
+/// Twenty-seven-node hexahedron: Hexa20, then the middles of its faces in the order of `faces`
+/// (20-25), then its centre.
 struct Hexa27 {
     using Face = Quad9;
     static constexpr int dimension = 3;
@@ -62,9 +64,10 @@ struct Hexa27 {
     static constexpr bool linear = false;
     static constexpr int pressure_modes = 4;
     static constexpr std::array<std::array<int, 3>, 27> corners{
-        {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {1, 1, 1}, {-1, 1, 1}, {0, -1, -1},
-         {1, 0, -1},   {0, 1, -1},  {-1, 0, -1}, {-1, -1, 0}, {1, -1, 0},  {1, 1, 0},   {-1, 1, 0}, {0, -1, 1}, {1, 0, 1},
-         {0, 1, 1},    {-1, 0, 1},  {0, 0, -1}, {0, 0, 1},   {0, -1, 0},  {1, 0, 0},   {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}}};
+        {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {1, 1, 1},
+         {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {-1, -1, 0}, {1, -1, 0},
+         {1, 1, 0},    {-1, 1, 0},  {0, -1, 1}, {1, 0, 1},   {0, 1, 1},   {-1, 0, 1},  {0, 0, -1},
+         {0, 0, 1},    {0, -1, 0},  {1, 0, 0},  {0, 1, 0},   {-1, 0, 0},  {0, 0, 0}}};
     static constexpr std::array<std::array<int, 9>, 6> faces{{{0, 3, 2, 1, 11, 10, 9, 8, 20},
                                                               {4, 5, 6, 7, 16, 17, 18, 19, 21},
                                                               {0, 1, 5, 4, 8, 13, 16, 12, 22},

@@ -15,15 +15,15 @@ enum class ElementType { tri3, tri6, quad4, quad8, quad9, tet4, tet10, hexa8, he
 
 /// All of them with their names in the configuration.
 inline constexpr std::array<std::pair<ElementType, const char*>, 10> element_names{{{ElementType::tri3, "tri3"},
-                                                                                   {ElementType::tri6, "tri6"},
-                                                                                   {ElementType::quad4, "quad4"},
-                                                                                   {ElementType::quad8, "quad8"},
-                                                                                   {ElementType::quad9, "quad9"},
-                                                                                   {ElementType::tet4, "tet4"},
-                                                                                   {ElementType::tet10, "tet10"},
-                                                                                   {ElementType::hexa8, "hexa8"},
-                                                                                   {ElementType::hexa20, "hexa20"},
-                                                                                   {ElementType::hexa27, "hexa27"}}};
+                                                                                    {ElementType::tri6, "tri6"},
+                                                                                    {ElementType::quad4, "quad4"},
+                                                                                    {ElementType::quad8, "quad8"},
+                                                                                    {ElementType::quad9, "quad9"},
+                                                                                    {ElementType::tet4, "tet4"},
+                                                                                    {ElementType::tet10, "tet10"},
+                                                                                    {ElementType::hexa8, "hexa8"},
+                                                                                    {ElementType::hexa20, "hexa20"},
+                                                                                    {ElementType::hexa27, "hexa27"}}};
 
 /// Calls `action(Shape{})` with the shape class of a type; returns what the action returns.
 template<class Action> auto with_shape(ElementType type, Action&& action)

@@ -13,7 +13,8 @@ inline std::vector<GaussPoint<2>> triangle_points(int degree)
 {
     std::vector<GaussPoint<2>> points;
     const auto add_three = [&](double a, double weight) { // (a, a) and its turns about the centre
-        for (const Eigen::Vector2d& xi : {Eigen::Vector2d(a, a), Eigen::Vector2d(1 - 2 * a, a), Eigen::Vector2d(a, 1 - 2 * a)})
+        for (const Eigen::Vector2d& xi :
+             {Eigen::Vector2d(a, a), Eigen::Vector2d(1 - 2 * a, a), Eigen::Vector2d(a, 1 - 2 * a)})
             points.push_back({xi, 0.5 * weight});
     };
     if (degree == 1) return {{Eigen::Vector2d::Constant(1.0 / 3), 0.5}};

@@ -46,8 +46,8 @@ struct OgdenEnergy {
 
 using Ogden = PrincipalLaw<OgdenEnergy>;
 
-/// Mooney-Rivlin, psi = c10 (I1 - 3) + c01 (I2 - 3) of the isochoric invariants: Ogden's law with the exponents 2 and -2
-/// and the moduli 2 c10 and 2 c01. \param bulk K [Pa].
+/// Mooney-Rivlin, psi = c10 (I1 - 3) + c01 (I2 - 3) of the isochoric invariants: Ogden's law with the exponents 2 and
+/// -2 and the moduli 2 c10 and 2 c01. \param bulk K [Pa].
 inline Ogden mooney_rivlin(double c10, double c01, double bulk)
 {
     return {OgdenEnergy{{{2 * c10, 2.0}, {2 * c01, -2.0}}}, bulk};

@@ -13,12 +13,12 @@ template<int D> class PointLaw {
 public:
     virtual ~PointLaw() = default;
 
-    virtual double energy(const Tensor<D>& f) const = 0;       ///< w [J/m^3]
-    virtual Tensor<D> stress(const Tensor<D>& f) const = 0;    ///< P [Pa]
-    virtual Tangent<D> tangent(const Tensor<D>& f) const = 0;  ///< dP/dF [Pa]
+    virtual double energy(const Tensor<D>& f) const = 0;          ///< w [J/m^3]
+    virtual Tensor<D> stress(const Tensor<D>& f) const = 0;       ///< P [Pa]
+    virtual Tangent<D> tangent(const Tensor<D>& f) const = 0;     ///< dP/dF [Pa]
     virtual Eigen::Matrix3d cauchy(const Tensor<D>& f) const = 0; ///< see cauchy_stress
-    virtual bool finite() const = 0;                           ///< det F > 0 is needed
-    virtual double shear_modulus() const = 0;                  ///< at small strain [Pa]
+    virtual bool finite() const = 0;                              ///< det F > 0 is needed
+    virtual double shear_modulus() const = 0;                     ///< at small strain [Pa]
 };
 
 template<int D> std::unique_ptr<PointLaw<D>> make_point_law(const Law& law);

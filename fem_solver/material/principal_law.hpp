@@ -106,7 +106,8 @@ private:
         return project * second * project;
     }
     /// (p_i - p_j)/(l_i - l_j), where the two nearly agree by its limit; the error is about 1e-10 then.
-    static double difference(const Eigen::Vector3d& p, const Eigen::Vector3d& l, const Eigen::Matrix3d& dp, int i, int j)
+    static double difference(const Eigen::Vector3d& p, const Eigen::Vector3d& l, const Eigen::Matrix3d& dp, int i,
+                             int j)
     {
         const double gap = l[i] - l[j];
         if (std::abs(gap) > 1e-5 * (l[i] + l[j])) return (p[i] - p[j]) / gap;

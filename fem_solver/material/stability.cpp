@@ -57,9 +57,9 @@ StabilityReport drucker_stability(const Law& law, double lowest, double highest)
             unstable += base::text(unstable.empty() ? "" : ", ", path.name, " from ", *l, " up");
     }
     report.stable = unstable.empty();
-    report.text = base::text("Drucker stability for stretches ", lowest, " to ", highest,
-                             " (uniaxial, equibiaxial, planar): ",
-                             report.stable ? "stable" : "not stable in " + unstable);
+    report.text =
+        base::text("Drucker stability for stretches ", lowest, " to ", highest,
+                   " (uniaxial, equibiaxial, planar): ", report.stable ? "stable" : "not stable in " + unstable);
     return report;
 }
 

@@ -40,7 +40,8 @@ UniaxialCurve::UniaxialCurve(std::vector<double> strain, const std::vector<doubl
     }
     slope_ = monotone_slopes(strain_, secant_);
     energy_.push_back(work(0, strain_.front()));
-    for (std::size_t k = 1; k < strain_.size(); ++k) energy_.push_back(energy_.back() + work(strain_[k - 1], strain_[k]));
+    for (std::size_t k = 1; k < strain_.size(); ++k)
+        energy_.push_back(energy_.back() + work(strain_[k - 1], strain_[k]));
 }
 
 auto UniaxialCurve::secant(double strain) const -> Secant

@@ -5,7 +5,8 @@
 
 namespace fem {
 
-/// A measured tension curve of an incompressible body: nominal stress T over nominal strain e = l - 1, through its points.
+/// A measured tension curve of an incompressible body: nominal stress T over nominal strain e = l - 1, through
+/// its points.
 ///
 ///     T(l) = m(e) (l - l^-2)
 ///

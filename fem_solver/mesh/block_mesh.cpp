@@ -62,7 +62,8 @@ template<class Shape> Lattice number_nodes(const BlockSpec& spec, Mesh& mesh)
 }
 
 /// Which side of the block a face lies on, or -1: all its lattice points at the same end of one direction.
-template<class Face> int side_of(const Face& face, const std::vector<LatticePoint>& points, const Lattice& lattice, int d)
+template<class Face>
+int side_of(const Face& face, const std::vector<LatticePoint>& points, const Lattice& lattice, int d)
 {
     for (int k = 0; k < d; ++k)
         for (const int end : {0, lattice.size[k] - 1})

@@ -11,8 +11,7 @@ std::vector<std::string> header(int dimension, const std::vector<std::string>& l
          {"kinetic", "strain", "potential", "work_interface", "work_supports", "work_loads", "contact", "friction",
           "numerical_dissipation", "balance_error", "damping", "work_correction"})
         columns.push_back(std::string(name) + (dimension == 2 ? "[J/m]" : "[J]"));
-    for (const std::string& name : loads)
-        columns.push_back("work_load." + name + (dimension == 2 ? "[J/m]" : "[J]"));
+    for (const std::string& name : loads) columns.push_back("work_load." + name + (dimension == 2 ? "[J/m]" : "[J]"));
     return columns;
 }
 
@@ -24,8 +23,20 @@ EnergyTable::EnergyTable(const std::string& folder, int dimension, const std::ve
 
 void EnergyTable::write(double time, double dt, const SolidEnergies& e)
 {
-    std::vector<double> row{time, dt, e.kinetic, e.strain, e.potential, e.work_interface, e.work_supports, e.work_loads,
-                            0, 0, e.numerical_dissipation, e.balance_error, e.damping, e.work_correction};
+    std::vector<double> row{time,
+                            dt,
+                            e.kinetic,
+                            e.strain,
+                            e.potential,
+                            e.work_interface,
+                            e.work_supports,
+                            e.work_loads,
+                            0,
+                            0,
+                            e.numerical_dissipation,
+                            e.balance_error,
+                            e.damping,
+                            e.work_correction};
     row.resize(row.size() + loads_, 0.0);
     std::copy(e.work_of_load.begin(), e.work_of_load.end(), row.end() - static_cast<std::ptrdiff_t>(loads_));
     file_.row(row);

@@ -6,11 +6,11 @@
 namespace fem {
 namespace {
 
-constexpr std::array<const char*, 10> xdmf_names{
-    "triangle",       "triangle_6", "quadrilateral", "quadrilateral_8", "quadrilateral_9", "tetrahedron",
-    "tetrahedron_10", "hexahedron", "hexahedron_20", "hexahedron_27"}; // in the order of ElementType
+constexpr std::array<const char*, 10> xdmf_names{"triangle",        "triangle_6",   "quadrilateral",  "quadrilateral_8",
+                                                 "quadrilateral_9", "tetrahedron",  "tetrahedron_10", "hexahedron",
+                                                 "hexahedron_20",   "hexahedron_27"}; // in the order of ElementType
 
-/// Where XDMF's node `a` of an element stands in ours: it lists the edges of the upper face before the upright ones, and
+/// Where XDMF's node `a` of an element stands in ours: it lists the edges of the upper face before the upright ones and
 /// the faces in the order left, right, front, back (by y), lower, upper.
 std::size_t own_place(ElementType type, std::size_t a)
 {

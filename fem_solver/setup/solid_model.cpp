@@ -37,11 +37,14 @@ Marlow marlow(const std::string& path, double poisson)
 /// A formula of the reference position and of time, with its derivatives in time.
 Supports::Path path(const base::Formula& formula, int dimension, double step)
 {
-    auto expression =
-        std::make_shared<base::Expression>(formula, std::vector<std::string>{"x", "y", "z", "t"});
+    auto expression = std::make_shared<base::Expression>(formula, std::vector<std::string>{"x", "y", "z", "t"});
     return [=](const double* x) {
         const double z = dimension == 3 ? x[2] : 0;
-        return base::with_derivatives([=, x0 = x[0], y = x[1]](double t) { return (*expression)({x0, y, z, t}); }, step);
+        return base::with_derivatives(
+            [=, x0 = x[0], y = x[1]](double t) {
+                return (*expression)({x0, y, z, t});
+            },
+            step);
     };
 }
 
@@ -83,8 +86,7 @@ Material make_material(const MaterialConfig& config)
 SolidModel::SolidModel(const SolidConfig& config)
     : mesh_(make_mesh(config.mesh)),
       supports_(mesh_),
-      forces_(mesh_, sheet_material(config),
-              {config.mesh.integration == "full", formulation(config.mesh.formulation)})
+      forces_(mesh_, sheet_material(config), {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {
     for (const SupportConfig& support : config.supports) add_support(support);
     forces_.set_damping({config.damping.stiffness, config.damping.mass});

@@ -57,9 +57,8 @@ double EnergyLedger::imposed_work(const Motion& motion_n, const Motion& motion_n
     const double beta = hht_.beta(), gamma = hht_.gamma();
     const Eigen::VectorXd mean = (1 - gamma) * motion_n.acceleration + gamma * motion_np1.acceleration;
     const Eigen::VectorXd dv = motion_np1.velocity - motion_n.velocity - dt * mean;
-    const Eigen::VectorXd du =
-        motion_np1.displacement - motion_n.displacement - dt * motion_n.velocity -
-        dt * dt * ((0.5 - beta) * motion_n.acceleration + beta * motion_np1.acceleration);
+    const Eigen::VectorXd du = motion_np1.displacement - motion_n.displacement - dt * motion_n.velocity -
+                               dt * dt * ((0.5 - beta) * motion_n.acceleration + beta * motion_np1.acceleration);
     return (0.5 * dt * dv - du).dot(forces_->inertia(mean)) +
            0.5 * (motion_n.velocity + motion_np1.velocity).dot(forces_->inertia(dv));
 }

@@ -44,8 +44,8 @@ void StaticSolution::raise(Motion& motion, double from, double to)
     }
 }
 
-/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere. The first correction takes moved
-/// supports to their place and the body along.
+/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere. The first correction takes
+/// moved supports to their place and the body along.
 bool StaticSolution::equilibrate(Motion& motion, double factor)
 {
     newton_.start();

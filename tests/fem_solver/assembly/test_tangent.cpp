@@ -78,8 +78,8 @@ TEST_P(Tangents, FollowerTractionTurnsWithTheBody)
 {
     const int d = mesh_.dimension;
     const std::vector<double> traction{0.7, -1.3, 0.4};
-    const auto load = make_follower_traction(mesh_, soft_.pattern(), mesh_.faces("right"),
-                                             {traction.begin(), traction.begin() + d});
+    const auto load =
+        make_follower_traction(mesh_, soft_.pattern(), mesh_.faces("right"), {traction.begin(), traction.begin() + d});
     Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(d, d);
     turn.topLeftCorner(2, 2) << std::cos(0.8), -std::sin(0.8), std::sin(0.8), std::cos(0.8);
     Motion motion = Motion::at_rest(soft_.dofs());
@@ -92,8 +92,8 @@ TEST_P(Tangents, FollowerTractionTurnsWithTheBody)
 
 TEST_P(Tangents, OfSprings)
 {
-    soft_.add_load(std::make_unique<Springs>(spring_stiffness(
-        mesh_, soft_.pattern(), mesh_.faces("top"), std::vector<double>(mesh_.dimension, 3.0))));
+    soft_.add_load(std::make_unique<Springs>(
+        spring_stiffness(mesh_, soft_.pattern(), mesh_.faces("top"), std::vector<double>(mesh_.dimension, 3.0))));
     expect_tangent_matches(mesh_, soft_, 1e-8);
 }
 

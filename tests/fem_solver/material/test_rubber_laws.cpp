@@ -221,8 +221,8 @@ TEST(Drucker, FindsWhereALawSoftens)
     EXPECT_FALSE(report.stable);
     EXPECT_NE(report.text.find("equibiaxial from "), std::string::npos) << report.text;
     EXPECT_NE(report.text.find(" up"), std::string::npos) << report.text;
-    const auto falling = std::make_shared<UniaxialCurve>(std::vector<double>{0.2, 0.4, 0.6},
-                                                         std::vector<double>{1e6, 1.1e6, 0.7e6});
+    const auto falling =
+        std::make_shared<UniaxialCurve>(std::vector<double>{0.2, 0.4, 0.6}, std::vector<double>{1e6, 1.1e6, 0.7e6});
     EXPECT_FALSE(drucker_stability(Marlow{{falling}, bulk}, 0.9, 2).stable);
 }
 

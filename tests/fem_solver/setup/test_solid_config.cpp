@@ -91,10 +91,7 @@ TEST(SolidConfig, NamesWhatIsWrong)
                  "one table [material.NAME]");
 }
 
-std::string with_law(const std::string& keys)
-{
-    return replaced("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3", keys);
-}
+std::string with_law(const std::string& keys) { return replaced("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3", keys); }
 
 TEST(SolidConfig, KnowsTheLawsOfRubber)
 {
@@ -102,8 +99,8 @@ TEST(SolidConfig, KnowsTheLawsOfRubber)
     const auto mr = std::get<Ogden>(law("law = \"mooney_rivlin\"\nc10 = 1.6e6\nc01 = 0.4e6\nnu = 0.4"));
     EXPECT_NEAR(mr.shear_modulus(), 4e6, 1e-6);
     EXPECT_NEAR(mr.bulk, 2 * 4e6 * 1.4 / 0.6, 1e-6);
-    EXPECT_EQ(std::get<Ogden>(law("law = \"ogden\"\nmu = [3e6, 1e6]\nalpha = [1.3, -2.0]\nnu = 0.4")).shape.terms.size(),
-              2u);
+    EXPECT_EQ(
+        std::get<Ogden>(law("law = \"ogden\"\nmu = [3e6, 1e6]\nalpha = [1.3, -2.0]\nnu = 0.4")).shape.terms.size(), 2u);
     const std::string path = testing::TempDir() + "rivage_curve.csv";
     std::ofstream(path) << "# made up\nstrain[-],stress[Pa]\n0.1,1.0e6\n0.5,3.0e6\n";
     const auto marlow = std::get<Marlow>(law("law = \"marlow\"\ncurve = \"" + path + "\"\nnu = 0.49"));

@@ -11,10 +11,18 @@ namespace fem_test {
 
 /// The linear shape with the same corners.
 template<int D, bool simplex> struct LinearShape;
-template<> struct LinearShape<2, false> { using type = fem::Quad4; };
-template<> struct LinearShape<3, false> { using type = fem::Hexa8; };
-template<> struct LinearShape<2, true> { using type = fem::Tri3; };
-template<> struct LinearShape<3, true> { using type = fem::Tet4; };
+template<> struct LinearShape<2, false> {
+    using type = fem::Quad4;
+};
+template<> struct LinearShape<3, false> {
+    using type = fem::Hexa8;
+};
+template<> struct LinearShape<2, true> {
+    using type = fem::Tri3;
+};
+template<> struct LinearShape<3, true> {
+    using type = fem::Tet4;
+};
 
 /// A unit square or cube of 3 cells a side whose inner vertices are moved; edges stay straight (middle nodes are the
 /// means of their ends), the boundary stays flat.

@@ -16,8 +16,12 @@ struct Beam : Bench {
     static constexpr double bending = young * height * height * height / 12; // E I per depth [N m]
 
     explicit Beam(ElementType type = ElementType::quad8)
-        : Bench(type, {40, 1}, [](double s, double t) -> std::array<double, 2> { return {s * length, (t - 0.5) * height}; },
-                SaintVenantKirchhoff{Lame::from_young(young, 0)})
+        : Bench(
+              type, {40, 1},
+              [](double s, double t) -> std::array<double, 2> {
+                  return {s * length, (t - 0.5) * height};
+              },
+              SaintVenantKirchhoff{Lame::from_young(young, 0)})
     {
         supports.fix("left", {"x", "y"});
     }
@@ -67,7 +71,9 @@ double cook(ElementType type, int cells, Formulation formulation)
 {
     const double young = 240.565, nu = 0.4999;
     Bench plate(type, {cells, cells},
-                [](double s, double t) -> std::array<double, 2> { return {48 * s, 44 * s + t * (44 - 28 * s)}; },
+                [](double s, double t) -> std::array<double, 2> {
+                    return {48 * s, 44 * s + t * (44 - 28 * s)};
+                },
                 NeoHookean{Lame::from_young(young, nu)}, {false, formulation});
     plate.supports.fix("left", {"x", "y"});
     plate.add_traction("right", {0, 100.0 / 16});

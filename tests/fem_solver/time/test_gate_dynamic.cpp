@@ -57,7 +57,8 @@ TEST(GateModes, LinearElementsWithAndWithoutTheirCure)
     EXPECT_NEAR(f[1] / 90.386, 1, 0.02);
     EXPECT_NEAR(f[2] / 244.997, 1, 0.02);
     EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.02);
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499), {false, Formulation::standard}))[0], 47.2, 0.5); // locked
+    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499), {false, Formulation::standard}))[0], 47.2,
+                0.5); // locked
 }
 
 /// The water's pressure switched on at t = 0. References: a converged finite element solution.

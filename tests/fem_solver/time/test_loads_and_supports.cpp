@@ -87,7 +87,8 @@ TEST(MovedSupport, ShakesTheGateAndTheBooksClose)
     }
 }
 
-/// A body carried as a whole: the work is its kinetic energy, and what the scheme itself holds, dt^2 (beta - gamma/2) a.M a/2.
+/// A body carried as a whole: the work is its kinetic energy, and what the scheme itself holds,
+/// dt^2 (beta - gamma/2) a.M a/2.
 TEST(MovedSupport, CarriesABody)
 {
     Gate gate(ElementType::quad8, rubber(), {}, {1, 4});
@@ -101,7 +102,8 @@ TEST(MovedSupport, CarriesABody)
     const double mass = 1100 * 0.005 * 0.079;
     EXPECT_NEAR(step.energies().kinetic, 0.5 * mass * 9, 1e-10);
     EXPECT_NEAR(step.energies().work_supports - step.energies().numerical_dissipation, 0.5 * mass * 9, 1e-12);
-    EXPECT_NEAR(step.energies().numerical_dissipation, 0.5 * mass * 36 * 1e-4 * (0.25 * 1.05 * 1.05 - 0.5 * 0.55), 1e-9);
+    EXPECT_NEAR(step.energies().numerical_dissipation, 0.5 * mass * 36 * 1e-4 * (0.25 * 1.05 * 1.05 - 0.5 * 0.55),
+                1e-9);
 }
 
 /// A stiff block on springs, 2 N/m^3 over a unit face and 3 N/m at a node: what force / (sum of stiffnesses) gives.
@@ -149,7 +151,8 @@ TEST(TimeFactor, ScalesALoadAndSharesTheWork)
     Gate gate(ElementType::quad8, rubber(), {}, {1, 8});
     const auto add = [&](double traction, const char* name, SolidForces::TimeFactor factor) {
         gate.forces.add_load(
-            std::make_unique<DeadLoad>(traction_force(gate.mesh, gate.mesh.faces("left"), {traction, 0})), name, factor);
+            std::make_unique<DeadLoad>(traction_force(gate.mesh, gate.mesh.faces("left"), {traction, 0})), name,
+            factor);
     };
     add(1000, "ramp", [](double t) { return t / 0.01; });
     add(500, "burst", [](double t) { return t < 0.005 ? 1.0 : 0.0; });

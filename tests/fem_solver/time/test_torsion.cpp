@@ -2,8 +2,8 @@
 // Torsion of a rubber cylinder by a right angle, its length kept (R. S. Rivlin, Phil. Trans. R. Soc. A 242 (1949) 173):
 //
 //     M = mu pi psi a^4 / 2,     N = - mu pi psi^2 a^4 / 4,     psi = turn per length
-#include "fem_solver/time/static_solution.hpp"
 #include "fem_solver/mesh/block_mesh.hpp"
+#include "fem_solver/time/static_solution.hpp"
 
 #include <gtest/gtest.h>
 

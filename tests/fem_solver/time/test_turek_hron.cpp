@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The elastic beam behind a cylinder under its own weight (S. Turek, J. Hron, Fluid-Structure Interaction, 2006, CSM1-3).
+// The elastic beam behind a cylinder under its own weight (S. Turek, J. Hron, Fluid-Structure Interaction,
+// 2006, CSM1-3).
 #include "fem_solver/time/solid_step.hpp"
 #include "tests/fem_solver/support/bench.hpp"
 
@@ -13,12 +14,13 @@ using namespace fem_test;
 /// From the cylinder of radius 0.05 m at (0.2, 0.2) to x = 0.6 m, 0.02 m thick.
 struct Flag : Bench {
     explicit Flag(double young)
-        : Bench(ElementType::quad8, {70, 6},
-                [](double s, double t) -> std::array<double, 2> {
-                    const double y = 0.19 + 0.02 * t, start = 0.2 + std::sqrt(0.0025 - (y - 0.2) * (y - 0.2));
-                    return {start + s * (0.6 - start), y};
-                },
-                SaintVenantKirchhoff{Lame::from_young(young, 0.4)})
+        : Bench(
+              ElementType::quad8, {70, 6},
+              [](double s, double t) -> std::array<double, 2> {
+                  const double y = 0.19 + 0.02 * t, start = 0.2 + std::sqrt(0.0025 - (y - 0.2) * (y - 0.2));
+                  return {start + s * (0.6 - start), y};
+              },
+              SaintVenantKirchhoff{Lame::from_young(young, 0.4)})
     {
         supports.fix("left", {"x", "y"});
         forces.set_gravity({0, -2});
