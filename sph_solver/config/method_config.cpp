@@ -66,6 +66,9 @@ base::Table<NumericsConfig> numerics_table()
               .choices = {"mean", "fluid", "shifted"}})
         .key("shift_strength", &NumericsConfig::shift_strength,
              {.unit = "-", .doc = "how fast shifted particles even out, times the rate of strain", .min = 0, .max = 1000})
+        .key("pair_area", &NumericsConfig::pair_area,
+             {.doc = "area vectors of the faces: the kernel's raw gradients, or renormalised inside the water",
+              .choices = {"raw", "renormalised"}})
         .key("integrator", &NumericsConfig::integrator,
              {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order",
               .choices = {"rk2", "rk3", "rk4"}});

@@ -44,6 +44,7 @@ struct NumericsConfig {
     std::string riemann = "exact";
     std::string face_motion = "mean";
     double shift_strength = 100.0;
+    std::string pair_area = "renormalised";
     std::string integrator = "rk2";
 };
 

@@ -5,6 +5,7 @@
 #include "sph_solver/numerics/face_motion.hpp"
 #include "sph_solver/numerics/kernel.hpp"
 #include "sph_solver/numerics/limiter.hpp"
+#include "sph_solver/numerics/pair_area.hpp"
 #include "sph_solver/numerics/riemann.hpp"
 #include "sph_solver/numerics/vector.hpp"
 
@@ -18,6 +19,7 @@ template<int D> struct FluidModel {
     Vec<D> gravity = Vec<D>::Zero(); ///< g [m/s^2]
     Riemann riemann = ExactRiemann{};
     FaceMotion face_motion = MeanMotion{};
+    PairArea pair_area = RawArea{};
 };
 
 } // namespace sph

@@ -6,9 +6,10 @@
 namespace sph {
 namespace {
 
-/// The same sums as FluxSums, eight neighbours side by side: mass, by_mass, by_pressure, volume.
+/// The same sums as FluxSums, eight neighbours side by side: mass, by_mass, by_pressure, volume,
+/// dilation.
 template<int D> struct FluxPacks {
-    std::array<Pack, 2 * D + 2> sums{};
+    std::array<Pack, 2 * D + 3> sums{};
 
     [[gnu::always_inline]] inline void write(FluxSums<D>& result) const
     {
@@ -19,6 +20,7 @@ template<int D> struct FluxPacks {
             result.by_pressure[static_cast<int>(a)] = total[1 + D + a];
         }
         result.volume = total[1 + 2 * D];
+        result.dilation = total[2 + 2 * D];
     }
 };
 
@@ -41,32 +43,38 @@ public:
         const std::size_t capacity = filled + neighbours.longest / pack_size;
         frames_.resize(capacity);
         shifts_.resize(capacity);
+        areas_.resize(capacity);
+        dilations_.resize(capacity);
         area_.resize(capacity);
         faces_.resize(capacity);
         stars_.resize(capacity);
     }
 
     /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
-    template<class AnyLimiter, class Motion>
-    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums, AnyLimiter limiter, Motion motion)
+    template<class AnyLimiter, class Motion, class Area>
+    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums, AnyLimiter limiter, Motion motion,
+                     Area)
     {
         const double* state = records_.state(i);
         const double* slope = records_.slope(i);
         for (std::size_t n = 0; n < neighbours.size(); n += pack_size)
+            {
+            if constexpr (Area::renormalises) renormalise(i, &neighbours[n]);
             reconstruct_pack(state, slope, &neighbours[n], limiter, motion);
+        }
         rows_[row_count_++] = {&sums, size_};
     }
 
     bool full() const { return size_ >= filled || row_count_ == rows_.size(); }
 
     /// 2. Solves the Riemann problems. 3. Sums what crosses the faces of each particle. The batch is empty then.
-    template<class AnyLimiter, class Motion> void solve(AnyLimiter limiter, Motion motion)
+    template<class AnyLimiter, class Motion, class Area> void solve(AnyLimiter limiter, Motion motion, Area area)
     {
         std::visit([this](auto riemann) { solve_riemann_problems(riemann); }, model_.riemann);
         std::size_t n = 0;
         for (std::size_t row = 0; row < row_count_; ++row) {
             FluxPacks<D> packs;
-            for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter, motion);
+            for (; n < rows_[row].end; ++n) add_pack(packs, n, limiter, motion, area);
             packs.write(*rows_[row].sums);
         }
         size_ = 0;
@@ -109,6 +117,24 @@ private:
         frames_[size_++] = face_frame<D>(pair, mean_velocity);
     }
 
+    /// (K_i + K_j)/2 x_ij of the next pack, and (v_j - v_i)/2 . ((K_i + K_j)/2 - I) x_ij.
+    [[gnu::always_inline]] inline void renormalise(int i, const int* indices)
+    {
+        const double* area_i = records_.area(i);
+        const double* state_i = records_.state(i);
+        const auto area = load_columns<PairRecords<D>::area_size>([this](int j) { return records_.area(j); }, indices);
+        const auto state = load_columns<8>([this](int j) { return records_.state(j); }, indices);
+        auto& along_area = areas_[size_];
+        Pack dilation{};
+        for (std::size_t a = 0; a < D; ++a) {
+            along_area[a] = Pack{};
+            for (std::size_t b = 0; b < D; ++b)
+                along_area[a] += (area[a * D + b] + area_i[a * D + b]) * (0.5 * (state[b] - state_i[b]));
+            dilation += (state[D + a] - state_i[D + a]) * (along_area[a] - (state[a] - state_i[a]));
+        }
+        dilations_[size_] = 0.5 * dilation;
+    }
+
     static FaceShift<Pack> face_shift(const double* slope_i, const std::array<Pack, PairRecords<D>::slope_size>& slope,
                                       const PairView<D, Pack>& pair)
     {
@@ -127,16 +153,18 @@ private:
         for (std::size_t n = 0; n < size_; ++n) stars_[n] = riemann(faces_[n]);
     }
 
-    template<class AnyLimiter, class Motion>
-    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& packs, std::size_t n, AnyLimiter limiter,
-                                                Motion motion) const
+    template<class AnyLimiter, class Motion, class Area>
+    [[gnu::always_inline]] inline void add_pack(FluxPacks<D>& packs, std::size_t n, AnyLimiter limiter, Motion motion,
+                                                Area) const
     {
         const Tait& eos = model_.eos;
         const FaceFrame<D, Pack>& frame = frames_[n];
         const auto transport = motion(eos.c0 * stars_[n].u, shifts_[n]);
         const Pack pressure = area_[n] * eos.pressure_at_ratio(stars_[n].q) * frame.inverse_distance;
         auto& sums = packs.sums;
-        for (std::size_t a = 0; a < D; ++a) sums[1 + D + a] = multiply_add(-pressure, frame.x[a], sums[1 + D + a]);
+        const auto& along_area = Area::renormalises ? areas_[n] : frame.x;
+        for (std::size_t a = 0; a < D; ++a) sums[1 + D + a] = multiply_add(-pressure, along_area[a], sums[1 + D + a]);
+        if constexpr (Area::renormalises) sums[2 + 2 * D] = multiply_add(area_[n] * frame.inverse_distance, dilations_[n], sums[2 + 2 * D]);
         if constexpr (Motion::sweeps_volume) sums[1 + 2 * D] = multiply_add(area_[n], transport.sweep, sums[1 + 2 * D]);
         if constexpr (Motion::exchanges_mass) {
             const auto velocity = face_velocity(frame, transport.relative, limiter);
@@ -152,22 +180,24 @@ private:
     std::array<Row, 32> rows_;
     std::vector<FaceFrame<D, Pack>> frames_;
     std::vector<FaceShift<Pack>> shifts_;
+    std::vector<std::array<Pack, D>> areas_; ///< renormalised ones along n, times |x_ij|
+    std::vector<Pack> dilations_;
     std::vector<Pack> area_;
     std::vector<FaceStates<Pack>> faces_;
     std::vector<StarState<Pack>> stars_;
 };
 
-template<int D, class AnyLimiter, class Motion>
+template<int D, class AnyLimiter, class Motion, class Area>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion)
+                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion, Area area)
 {
     if (rows.size() == 0) return;
     FaceBatch<D> batch(records, neighbours, model);
     rows.for_each([&](std::size_t k, int i) {
-        batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter, motion);
-        if (batch.full()) batch.solve(limiter, motion);
+        batch.reconstruct(i, neighbours.packs_of(k), sums[k], limiter, motion, area);
+        if (batch.full()) batch.solve(limiter, motion, area);
     });
-    batch.solve(limiter, motion);
+    batch.solve(limiter, motion, area);
 }
 
 } // namespace
@@ -177,12 +207,15 @@ void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords
                           const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
 {
     sums.resize(rows.all());
-    std::visit([&](auto limiter, auto motion) { sum_fluxes(sums, records, neighbours, rows, model, limiter, motion); },
-               model.limiter, model.face_motion);
+    std::visit(
+        [&](auto limiter, auto motion, auto area) {
+            sum_fluxes(sums, records, neighbours, rows, model, limiter, motion, area);
+        },
+        model.limiter, model.face_motion, model.pair_area);
     rows.for_each([&](std::size_t k, int particle) {
         const auto i = static_cast<std::size_t>(particle);
         rates.mass[i] += sums[k].mass;
-        rates.volume[i] += sums[k].volume;
+        rates.volume[i] += sums[k].volume + sums[k].dilation;
         rates.momentum[i] += sums[k].by_mass + sums[k].by_pressure;
     });
 }

@@ -46,7 +46,7 @@ template<int D> struct PackedSums {
             for (int b = 0; b < D; ++b, ++ab_v) result.velocity(a, b) = total[ab_v];
             result.density[a] = rho0 * total[ratio + static_cast<std::size_t>(a)];
         }
-        result.fluid_divergence = result.velocity.trace();
+        result.at_walls.setZero();
     }
 };
 
@@ -77,12 +77,14 @@ template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit)
     return positive;
 }
 
-template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums)
+template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
+                                          const FluidModel<D>& model)
 {
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const GradientSums<D>& sum = sums[k];
-        rates.volume[i] = particles.volume[i] * sum.divergence();
+        std::visit([&](auto area) { particles.renormaliser[i] = area.template renormaliser<D>(sum.moment); }, model.pair_area);
+        rates.volume[i] = particles.volume[i] * (sum.fluid_divergence() + sum.wall_divergence(particles.renormaliser[i]));
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
         if (eigenvalues_exceed<D>(sum.moment, least_eigenvalue)) {
@@ -99,7 +101,7 @@ template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords
                                             const RowSet&, const FluidModel<2>&);
 template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
                                             const RowSet&, const FluidModel<3>&);
-template void finish_gradients<2>(Particles<2>&, Rates<2>&, const GradientField<2>&);
-template void finish_gradients<3>(Particles<3>&, Rates<3>&, const GradientField<3>&);
+template void finish_gradients<2>(Particles<2>&, Rates<2>&, const GradientField<2>&, const FluidModel<2>&);
+template void finish_gradients<3>(Particles<3>&, Rates<3>&, const GradientField<3>&, const FluidModel<3>&);
 
 } // namespace sph

@@ -23,8 +23,10 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 /// Gradients of owned particles and the rate of their volumes from the complete sums:
 ///
 ///     grad f = G[f] M^-1  where the smallest eigenvalue of M exceeds 0.2, else G[f]
-///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close)
-template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums);
+///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close; with renormalised
+///                         pair areas K of the walls' part, while pass 2 adds the rest of the fluid's)
+template<int D>
+void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums, const FluidModel<D>& model);
 
 /// M may be inverted where its smallest eigenvalue exceeds this.
 inline constexpr double least_eigenvalue = 0.2;

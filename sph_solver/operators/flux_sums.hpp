@@ -10,11 +10,13 @@ namespace sph {
 /// The neighbour sums of pass 2 for one owned particle over its fluid pairs, the two causes of momentum kept apart
 /// because each has its own column in the energy ledger. S = 2 w_i w_j |W'|:
 ///
-///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   volume = sum S u_face
+///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   volume = sum S u_face,
+///     dilation = sum (v_j - v_i)/2 . (a_ij - S n)
 template<int D> struct FluxSums {
     double mass = 0;                     ///< dm/dt [kg/s]
     Vec<D> by_mass = Vec<D>::Zero();     ///< dP/dt carried by the mass flux [N]
     Vec<D> by_pressure = Vec<D>::Zero(); ///< dP/dt of the pressure [N]
+    double dilation = 0;                 ///< dw/dt beside the raw divergence where areas are renormalised [m^D/s]
     double volume = 0;                   ///< dw/dt of what the faces sweep beside the mean motion [m^D/s]
 };
 

@@ -26,6 +26,17 @@ void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rh
     }
 }
 
+template<int D> void PairRecords<D>::load_areas(const Particles<D>& particles, const std::vector<int>& which)
+{
+    areas_.resize(particles.size());
+    for (const int i : which) {
+        auto& record = areas_[static_cast<std::size_t>(i)].data;
+        for (int a = 0, ab = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b, ++ab)
+                record[static_cast<std::size_t>(ab)] = particles.renormaliser[static_cast<std::size_t>(i)](a, b);
+    }
+}
+
 template<int D> void PairRecords<D>::load_states(const Particles<D>& particles, const Tait& eos)
 {
     states_.resize(particles.size());

@@ -27,8 +27,20 @@ public:
     void load_slopes(const Particles<D>& particles, const Tait& eos);
     void load_slopes(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
 
+    /// Reads the factors of the pair areas of some particles. \pre they are up to date there
+    void load_areas(const Particles<D>& particles, const std::vector<int>& which);
+
+    /// K f: a force that acts on the areas of particle i.
+    Vec<D> on_area(int i, const Vec<D>& force) const
+    {
+        return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(area(i)) * force;
+    }
+
+    const double* area(int i) const { return areas_[static_cast<std::size_t>(i)].data.data(); }
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }
+
+    static constexpr std::size_t area_size = D == 2 ? 8 : 16; // K row by row
 
     /// Place of the shifting velocity in a slope record.
     static constexpr std::size_t shift = D + D * D;
@@ -47,7 +59,12 @@ private:
         std::array<double, slope_size> data{};
     };
 
+    struct alignas(64) Area {
+        std::array<double, area_size> data{};
+    };
+
     std::vector<State> states_;
+    std::vector<Area> areas_; ///< empty where areas are raw
     std::vector<Slope> slopes_;
 };
 

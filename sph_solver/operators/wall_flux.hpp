@@ -39,7 +39,7 @@ struct WallPower {
 };
 
 /// Adds weight * (power of this evaluation) to `power`.
-/// \param sums of pass 1 of the same evaluation, complete: their wall part is divergence() - fluid_divergence.
+/// \param sums of pass 1 of the same evaluation, complete.
 template<int D>
 void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces, const Walls<D>& walls,
                     const Particles<D>& particles, const GradientField<D>& sums);

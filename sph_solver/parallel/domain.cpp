@@ -192,12 +192,14 @@ template<int D> void Domain<D>::finish_state(Particles<D>& particles)
 
 template<int D> void Domain<D>::start_gradients(const Particles<D>& particles) const
 {
-    scatter_.start(particles.density_gradient, particles.velocity_gradient, particles.shift);
+    scatter_.start(particles.density_gradient, particles.velocity_gradient, particles.renormaliser,
+                   particles.shift);
 }
 
 template<int D> void Domain<D>::finish_gradients(Particles<D>& particles) const
 {
-    scatter_.finish(particles.density_gradient, particles.velocity_gradient, particles.shift);
+    scatter_.finish(particles.density_gradient, particles.velocity_gradient, particles.renormaliser,
+                    particles.shift);
 }
 
 template<int D>

@@ -26,6 +26,12 @@ FaceMotion make_face_motion(const NumericsConfig& numerics)
     return MeanMotion{};
 }
 
+PairArea make_pair_area(const std::string& name)
+{
+    if (name == "renormalised") return RenormalisedArea{};
+    return RawArea{};
+}
+
 } // namespace
 
 template<int D> FluidModel<D> make_model(const FluidConfig& config)
@@ -35,7 +41,8 @@ template<int D> FluidModel<D> make_model(const FluidConfig& config)
             make_limiter(config.numerics.limiter),
             Eigen::Map<const Vec<D>>(config.domain.gravity.data()),
             make_riemann(config.numerics.riemann),
-            make_face_motion(config.numerics)};
+            make_face_motion(config.numerics),
+            make_pair_area(config.numerics.pair_area)};
 }
 
 template FluidModel<2> make_model(const FluidConfig&);

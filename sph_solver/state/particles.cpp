@@ -8,6 +8,7 @@ namespace sph {
 template<int D> void Particles<D>::resize(std::size_t count)
 {
     for_each_field(*this, [&](const FieldInfo&, auto& column) { column.resize(count); });
+    renormaliser.assign(count, Mat<D>::Identity());
     shift.assign(count, Vec<D>::Zero());
     is_owned.resize(count);
 }

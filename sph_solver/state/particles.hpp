@@ -37,6 +37,7 @@ struct Particles {
     // derived on owned particles by a neighbour sum, then sent to the halo copies
     std::vector<Vec<D>> density_gradient;   ///< grad rho [kg/m^4]
     std::vector<Mat<D>> velocity_gradient;  ///< (grad v)(a, b) = dv_a / dx_b [1/s]
+    std::vector<Mat<D>> renormaliser;       ///< K of the pair areas (numerics/pair_area.hpp) [-]
     std::vector<Vec<D>> shift;              ///< velocity of the particle beside that of the fluid in it [m/s]
 
     // ownership
@@ -86,6 +87,7 @@ constexpr auto field_table()
         Field{FieldInfo{"velocity_gradient", "grad v", "1/s", "1/s", "gradient of the velocity, row = component",
                         derived},
               &P::velocity_gradient},
+        Field{FieldInfo{"renormaliser", "K", "-", "-", "factor of the pair areas", derived}, &P::renormaliser},
         Field{FieldInfo{"shift", "v_s", "m/s", "m/s", "velocity of the particle beside the fluid's", derived}, &P::shift});
 }
 

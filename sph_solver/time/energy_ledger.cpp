@@ -37,7 +37,8 @@ void EnergyLedger<D>::observe(const Particles<D>& particles, const Walls<D>& wal
         const FluxSums<D>& flux = evaluation.fluxes[k];
         const Vec<D>& v = particles.velocity[i];
         const double p = particles.pressure[i];
-        const double volume_rate = particles.volume[i] * evaluation.gradient_sums[k].fluid_divergence + swept * flux.volume;
+        const double volume_rate = particles.volume[i] * evaluation.gradient_sums[k].fluid_divergence() + flux.dilation +
+                                   swept * flux.volume;
         const double carried = model_.eos.specific_enthalpy(particles.density[i]) - 0.5 * v.squaredNorm() -
                                model_.gravity.dot(particles.position[i]);
         riemann_.add(share * (p * volume_rate - v.dot(flux.by_pressure)));

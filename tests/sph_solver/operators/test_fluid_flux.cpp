@@ -39,7 +39,7 @@ template<int D> struct RoughFlow {
         neighbours = sample::reached_neighbours(particles, model.kernel.support());
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model);
         rates.reset(particles.size());
-        finish_gradients(particles, rates, sums);
+        finish_gradients(particles, rates, sums, model);
     }
 
     /// Hands all but every n-th particle to somebody else: they stay as halo copies.

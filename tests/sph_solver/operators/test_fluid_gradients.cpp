@@ -32,7 +32,7 @@ template<int D> struct LinearFlow {
         records.load_states(particles, model<D>().eos);
         neighbours = sample::reached_neighbours(particles, model<D>().kernel.support());
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model<D>());
-        finish_gradients(particles, rates, sums);
+        finish_gradients(particles, rates, sums, model<D>());
     }
 
     Particles<D> particles;
@@ -82,7 +82,7 @@ TEST(FluidGradients, SumsAreThoseOfThePlainFormula)
             divergence += p.volume[j] * (p.velocity[j] - p.velocity[i]).dot(gradient);
         }
         EXPECT_LT((flow.sums[i].moment - moment).norm(), 1e-13);
-        EXPECT_NEAR(flow.sums[i].fluid_divergence, divergence, 1e-12);
+        EXPECT_NEAR(flow.sums[i].fluid_divergence(), divergence, 1e-12);
         EXPECT_EQ(flow.rates.volume[i], p.volume[i] * flow.sums[i].divergence());
     }
 }
@@ -107,7 +107,7 @@ TEST(FluidGradients, UseTheRawSumsWhereTheMomentIsPoor)
     sums[0].moment = 0.19 * Mat<2>::Identity();
     Rates<2> rates;
     rates.reset(4);
-    finish_gradients(pair, rates, sums);
+    finish_gradients(pair, rates, sums, model<D>());
     EXPECT_EQ(pair.velocity_gradient[0], sums[0].velocity);
 }
 
