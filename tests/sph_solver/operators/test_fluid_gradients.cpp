@@ -107,7 +107,7 @@ TEST(FluidGradients, UseTheRawSumsWhereTheMomentIsPoor)
     sums[0].moment = 0.19 * Mat<2>::Identity();
     Rates<2> rates;
     rates.reset(4);
-    finish_gradients(pair, rates, sums, model<D>());
+    finish_gradients(pair, rates, sums, model<2>());
     EXPECT_EQ(pair.velocity_gradient[0], sums[0].velocity);
 }
 

@@ -14,7 +14,7 @@ constexpr double dx = 0.01;
 /// A lattice that has been stretched along x and pressed along y, in a linear flow, evaluated on renormalised areas.
 template<int D> struct StretchedFlow {
     explicit StretchedFlow(double jitter)
-        : particles(sample::jittered_lattice<D>(D == 2 ? 14 : 10, dx, jitter, 1000.0))
+        : particles(sample::jittered_lattice<D>(14, dx, jitter, 1000.0))
     {
         slope = Mat<D>::Zero();
         slope(0, 0) = 2.0;
@@ -55,7 +55,7 @@ template<int D> bool deep(const Particles<D>& particles, std::size_t i)
             low = std::min(low, x[a]);
             high = std::max(high, x[a]);
         }
-        if (particles.position[i][a] < low + 4 * dx || particles.position[i][a] > high - 4 * dx) return false;
+        if (particles.position[i][a] < low + 5 * dx || particles.position[i][a] > high - 5 * dx) return false;
     }
     return true;
 }
