@@ -84,7 +84,7 @@ template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, 
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const GradientSums<D>& sum = sums[k];
         std::visit([&](auto area) { particles.renormaliser[i] = area.template renormaliser<D>(sum.moment); }, model.pair_area);
-        rates.volume[i] = particles.volume[i] * (sum.fluid_divergence() + sum.wall_divergence(particles.renormaliser[i]));
+        rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
         if (eigenvalues_exceed<D>(sum.moment, least_eigenvalue)) {

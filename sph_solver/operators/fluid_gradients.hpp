@@ -24,7 +24,7 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 ///
 ///     grad f = G[f] M^-1  where the smallest eigenvalue of M exceeds 0.2, else G[f]
 ///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close; with renormalised
-///                         pair areas K of the walls' part, while pass 2 adds the rest of the fluid's)
+///                         pair areas, pass 2 adds what the fluid's pairs are off)
 template<int D>
 void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums, const FluidModel<D>& model);
 

@@ -23,8 +23,6 @@ template<int D> struct GradientSums {
     double divergence() const { return velocity.trace(); }
     /// Over the fluid pairs alone [1/s].
     double fluid_divergence() const { return velocity.trace() - at_walls.trace(); }
-    /// Over the wall images, on areas with the factor K [1/s].
-    double wall_divergence(const Mat<D>& renormaliser) const { return at_walls.cwiseProduct(renormaliser).sum(); }
 };
 
 /// Row k belongs to the k-th owned particle, as in ReachedNeighbours.

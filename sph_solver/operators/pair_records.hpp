@@ -30,12 +30,6 @@ public:
     /// Reads the factors of the pair areas of some particles. \pre they are up to date there
     void load_areas(const Particles<D>& particles, const std::vector<int>& which);
 
-    /// K f: a force that acts on the areas of particle i.
-    Vec<D> on_area(int i, const Vec<D>& force) const
-    {
-        return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(area(i)) * force;
-    }
-
     const double* area(int i) const { return areas_[static_cast<std::size_t>(i)].data.data(); }
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }

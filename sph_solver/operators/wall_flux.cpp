@@ -90,12 +90,9 @@ void sum_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<
 {
     const auto& [contacts, planes, footprints] = walls.contacts();
     ImageFaces<D> faces(images, records, model);
-    const bool renormalises = std::holds_alternative<RenormalisedArea>(model.pair_area);
     for (const ImageGroup& group : images.groups()) {
         const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, true);
-        const int i = contacts[group.contact].particle;
-        Vec<D> force = faces.force(group, i, path, limiter);
-        if (renormalises) force = records.on_area(i, force);
+        const Vec<D> force = faces.force(group, contacts[group.contact].particle, path, limiter);
         forces.on_particle[group.contact] -= force;
         share_out(force, group, planes, forces.on_wall);
     }
@@ -135,7 +132,7 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
             work += part;
         }
         const GradientSums<D>& sum = sums[contact.row];
-        const double volume_rate = particles.volume[i] * sum.wall_divergence(particles.renormaliser[i]);
+        const double volume_rate = particles.volume[i] * sum.at_walls.trace();
         const double gain = particles.velocity[i].dot(forces.on_particle[c]) - particles.pressure[i] * volume_rate;
         power.dissipation.add(weight * (work - gain));
     }
