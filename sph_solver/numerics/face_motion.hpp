@@ -15,7 +15,8 @@ namespace sph {
 /// What crosses a face.
 template<class T> struct FaceTransport {
     T relative; ///< u - u_face [m/s]
-    T sweep;    ///< what the volume of i gains for each unit of S [m/s]
+    T dilation; ///< what the volume of i gains for each unit of S as the fluid expands [m/s]
+    T swept;    ///< what it gains beside that, from its neighbour [m/s]
 };
 
 /// The shifting velocities of a pair along n.
@@ -26,25 +27,25 @@ template<class T> struct FaceShift {
 
 /// Key "mean": faces move with the mean velocity of their pair, and mass is exchanged (Vila's scheme, the default).
 struct MeanMotion {
-    static constexpr bool exchanges_mass = true, sweeps_volume = false, shifts = false;
-    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {u, T{}}; }
+    static constexpr bool exchanges_mass = true, dilates = false, shifts = false;
+    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {u, T{}, T{}}; }
 };
 
 /// Key "fluid": faces move with the fluid, u_face = u. No mass is exchanged, each particle keeps its own; volume is.
 struct FluidMotion {
-    static constexpr bool exchanges_mass = false, sweeps_volume = true, shifts = false;
-    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {T{}, u}; }
+    static constexpr bool exchanges_mass = false, dilates = true, shifts = false;
+    template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>&) const { return {T{}, u, T{}}; }
 };
 
 /// Key "shifted": particles move with v + v_s, where v_s evens out their distances (operators/shifting.hpp), and faces
 /// with the mean of that; what the particles leave behind crosses the faces.
 struct ShiftedMotion {
-    static constexpr bool exchanges_mass = true, sweeps_volume = true, shifts = true;
+    static constexpr bool exchanges_mass = true, dilates = false, shifts = true;
     double beta = 100.0; ///< strength of the shifting [-]
 
     template<class T> FaceTransport<T> operator()(T u, const FaceShift<T>& shift) const
     {
-        return {u - shift.mean, shift.half_jump};
+        return {u - shift.mean, T{}, shift.half_jump};
     }
 };
 

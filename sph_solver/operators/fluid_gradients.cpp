@@ -46,15 +46,15 @@ template<int D> struct PackedSums {
             for (int b = 0; b < D; ++b, ++ab_v) result.velocity(a, b) = total[ab_v];
             result.density[a] = rho0 * total[ratio + static_cast<std::size_t>(a)];
         }
-        result.at_walls.setZero();
+        result.fluid_divergence = result.divergence();
     }
 };
 
 } // namespace
 
 template<int D>
-void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                                const RowSet& rows, const FluidModel<D>& model)
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records,
+                                const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
 {
     const auto state_of = [&](int j) { return records.state(j); };
     const CubicSpline<D> kernel = model.kernel;
@@ -77,13 +77,15 @@ template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit)
     return positive;
 }
 
-template<int D> void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
-                                          const FluidModel<D>& model)
+template<int D>
+void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
+                      const FluidModel<D>& model)
 {
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const GradientSums<D>& sum = sums[k];
-        std::visit([&](auto area) { particles.renormaliser[i] = area.template renormaliser<D>(sum.moment); }, model.pair_area);
+        std::visit([&](auto area) { particles.renormaliser[i] = area.template renormaliser<D>(sum.moment); },
+                   model.pair_area);
         rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;

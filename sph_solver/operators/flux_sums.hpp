@@ -10,14 +10,16 @@ namespace sph {
 /// The neighbour sums of pass 2 for one owned particle over its fluid pairs, the two causes of momentum kept apart
 /// because each has its own column in the energy ledger. S = 2 w_i w_j |W'|:
 ///
-///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   volume = sum S u_face,
-///     dilation = sum (v_j - v_i)/2 . (a_ij - S n)
+///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   swept = sum S u_shift,
+///     dilation = sum (v_j - v_i)/2 . (a_ij - S n) + S u_fluid
+///
+/// u_shift and u_fluid are what the faces' own motion sweeps (numerics/face_motion.hpp); the second belongs to the compression.
 template<int D> struct FluxSums {
     double mass = 0;                     ///< dm/dt [kg/s]
     Vec<D> by_mass = Vec<D>::Zero();     ///< dP/dt carried by the mass flux [N]
     Vec<D> by_pressure = Vec<D>::Zero(); ///< dP/dt of the pressure [N]
-    double dilation = 0;                 ///< dw/dt beside the raw divergence where areas are renormalised [m^D/s]
-    double volume = 0;                   ///< dw/dt of what the faces sweep beside the mean motion [m^D/s]
+    double dilation = 0;                 ///< dw/dt by compression, beside the raw divergence [m^D/s]
+    double swept = 0;                    ///< dw/dt by faces that follow shifted particles [m^D/s]
 };
 
 /// Row k belongs to the k-th owned particle, as in ReachedNeighbours.

@@ -17,12 +17,10 @@ template<int D> struct GradientSums {
     Mat<D> moment = Mat<D>::Zero();   ///< M, symmetric [-]
     Mat<D> velocity = Mat<D>::Zero(); ///< G[v], rows are the components of v [1/s]
     Vec<D> density = Vec<D>::Zero();  ///< G[rho] [kg/m^4]
-    Mat<D> at_walls = Mat<D>::Zero(); ///< the wall images' part of G[v] [1/s]
+    double fluid_divergence = 0;      ///< tr G[v] over the fluid pairs alone [1/s]
 
     /// Raw divergence over all that has been summed [1/s].
     double divergence() const { return velocity.trace(); }
-    /// Over the fluid pairs alone [1/s].
-    double fluid_divergence() const { return velocity.trace() - at_walls.trace(); }
 };
 
 /// Row k belongs to the k-th owned particle, as in ReachedNeighbours.

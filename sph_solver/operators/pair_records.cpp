@@ -3,8 +3,7 @@
 
 namespace sph {
 
-template<int D>
-void PairRecords<D>::load_state(const Particles<D>& particles, double inverse_rho0, std::size_t i)
+template<int D> void PairRecords<D>::load_state(const Particles<D>& particles, double inverse_rho0, std::size_t i)
 {
     auto& record = states_[i].data;
     for (std::size_t a = 0; a < D; ++a) {
@@ -15,8 +14,7 @@ void PairRecords<D>::load_state(const Particles<D>& particles, double inverse_rh
     record[2 * D + 1] = particles.volume[i];
 }
 
-template<int D>
-void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rho0, std::size_t i)
+template<int D> void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rho0, std::size_t i)
 {
     auto& record = slopes_[i].data;
     for (std::size_t a = 0; a < D; ++a) {
@@ -26,21 +24,11 @@ void PairRecords<D>::load_slope(const Particles<D>& particles, double inverse_rh
     }
 }
 
-template<int D> void PairRecords<D>::load_areas(const Particles<D>& particles, const std::vector<int>& which)
+template<int D> void PairRecords<D>::load_area(const Particles<D>& particles, std::size_t i)
 {
-    areas_.resize(particles.size());
-    for (const int i : which) {
-        auto& record = areas_[static_cast<std::size_t>(i)].data;
-        for (int a = 0, ab = 0; a < D; ++a)
-            for (int b = 0; b < D; ++b, ++ab)
-                record[static_cast<std::size_t>(ab)] = particles.renormaliser[static_cast<std::size_t>(i)](a, b);
-    }
-}
-
-template<int D> void PairRecords<D>::load_states(const Particles<D>& particles, const Tait& eos)
-{
-    states_.resize(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) load_state(particles, 1.0 / eos.rho0, i);
+    auto& record = areas_[i].data;
+    for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) record[static_cast<std::size_t>(a * D + b)] = particles.renormaliser[i](a, b);
 }
 
 template<int D>
@@ -50,17 +38,15 @@ void PairRecords<D>::load_states(const Particles<D>& particles, const Tait& eos,
     for (const int i : which) load_state(particles, 1.0 / eos.rho0, static_cast<std::size_t>(i));
 }
 
-template<int D> void PairRecords<D>::load_slopes(const Particles<D>& particles, const Tait& eos)
-{
-    slopes_.resize(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) load_slope(particles, 1.0 / eos.rho0, i);
-}
-
 template<int D>
-void PairRecords<D>::load_slopes(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which)
+void PairRecords<D>::load_slopes(const Particles<D>& particles, const FluidModel<D>& model,
+                                 const std::vector<int>& which)
 {
     slopes_.resize(particles.size());
-    for (const int i : which) load_slope(particles, 1.0 / eos.rho0, static_cast<std::size_t>(i));
+    for (const int i : which) load_slope(particles, 1.0 / model.eos.rho0, static_cast<std::size_t>(i));
+    if (std::holds_alternative<RawArea>(model.pair_area)) return;
+    areas_.resize(particles.size());
+    for (const int i : which) load_area(particles, static_cast<std::size_t>(i));
 }
 
 template class PairRecords<2>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/numerics/equation_of_state.hpp"
+#include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/numerics/pack.hpp"
 #include "sph_solver/state/particles.hpp"
 
@@ -17,24 +17,17 @@ template<int D> class PairRecords {
 public:
     static constexpr std::size_t state_size = 8;               // x, v, q, w
     static constexpr std::size_t slope_size = D == 2 ? 8 : 16; // grad q, grad v row by row, v_s
+    static constexpr std::size_t area_size = D == 2 ? 8 : 16;  // K row by row
 
-    /// Reads position, velocity, density and volume. \pre derived fields are up to date on owned and halo particles.
-    void load_states(const Particles<D>& particles, const Tait& eos);
-    /// The same for some of the particles only.
+    /// Reads position, velocity, density and volume of some particles. \pre derived fields are up to date there.
     void load_states(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
+    /// Reads their gradients, and the factors of pair areas where these are renormalised. \pre they are up to date there.
+    void load_slopes(const Particles<D>& particles, const FluidModel<D>& model, const std::vector<int>& which);
 
-    /// Reads the gradients. \pre they are up to date on owned and halo particles.
-    void load_slopes(const Particles<D>& particles, const Tait& eos);
-    void load_slopes(const Particles<D>& particles, const Tait& eos, const std::vector<int>& which);
-
-    /// Reads the factors of the pair areas of some particles. \pre they are up to date there
-    void load_areas(const Particles<D>& particles, const std::vector<int>& which);
-
-    const double* area(int i) const { return areas_[static_cast<std::size_t>(i)].data.data(); }
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }
-
-    static constexpr std::size_t area_size = D == 2 ? 8 : 16; // K row by row
+    /// \pre areas are renormalised
+    const double* area(int i) const { return areas_[static_cast<std::size_t>(i)].data.data(); }
 
     /// Place of the shifting velocity in a slope record.
     static constexpr std::size_t shift = D + D * D;
@@ -45,6 +38,7 @@ public:
 private:
     void load_state(const Particles<D>& particles, double inverse_rho0, std::size_t i);
     void load_slope(const Particles<D>& particles, double inverse_rho0, std::size_t i);
+    void load_area(const Particles<D>& particles, std::size_t i);
 
     struct alignas(64) State {
         std::array<double, state_size> data{};
@@ -52,14 +46,13 @@ private:
     struct alignas(64) Slope {
         std::array<double, slope_size> data{};
     };
-
     struct alignas(64) Area {
         std::array<double, area_size> data{};
     };
 
     std::vector<State> states_;
-    std::vector<Area> areas_; ///< empty where areas are raw
     std::vector<Slope> slopes_;
+    std::vector<Area> areas_; ///< empty where areas are raw
 };
 
 /// Rows of eight particles, loaded and turned into columns: result[c] holds component c of the particles index[0..7].

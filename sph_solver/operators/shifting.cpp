@@ -42,15 +42,17 @@ void find_shifts(Particles<D>& particles, const PairRecords<D>& records, const R
 {
     constexpr double full_neighbourhood = 0.75, most = 0.2, fastest = 0.5;
     const double h = model.kernel.smoothing_length();
-    const double beta = std::get<ShiftedMotion>(model.face_motion).beta;
+    const auto* motion = std::get_if<ShiftedMotion>(&model.face_motion);
+    if (!motion) return;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         particles.shift[i].setZero();
         if (!eigenvalues_exceed<D>(sums[k].moment, full_neighbourhood)) continue;
-        Vec<D> uneven = h * concentration_gradient<D>(records.state(particles.owned[k]), neighbours.packs_of(k), records,
-                                                      model.kernel);
+        Vec<D> uneven = h * concentration_gradient<D>(records.state(particles.owned[k]), neighbours.packs_of(k),
+                                                      records, model.kernel);
         if (uneven.norm() > most) uneven *= most / uneven.norm();
-        const double speed = std::min(beta * h * strain_rate<D>(particles.velocity_gradient[i]), fastest * model.eos.c0);
+        const double speed =
+            std::min(motion->beta * h * strain_rate<D>(particles.velocity_gradient[i]), fastest * model.eos.c0);
         particles.shift[i] = -speed * uneven;
     }
     for (const WallContact& contact : walls.contacts().contacts)

@@ -19,7 +19,7 @@ namespace sph {
 /// A displacement of one particle decays about beta times in the time 1/|D|. The speed is the same for every observer and
 /// vanishes at rest and in rigid motion; |h grad C| is taken for 0.2 at most. Particles next to a free surface (smallest
 /// eigenvalue of M below 0.75) and next to walls are left alone: there grad C has another cause.
-/// \pre gradients of the owned particles and `sums` are complete; the model's face motion is ShiftedMotion
+/// \pre gradients of the owned particles and `sums` are complete. With another face motion nothing is shifted.
 template<int D>
 void find_shifts(Particles<D>& particles, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                  const GradientField<D>& sums, const Walls<D>& walls, const FluidModel<D>& model);

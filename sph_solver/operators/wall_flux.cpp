@@ -132,7 +132,7 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
             work += part;
         }
         const GradientSums<D>& sum = sums[contact.row];
-        const double volume_rate = particles.volume[i] * sum.at_walls.trace();
+        const double volume_rate = particles.volume[i] * (sum.divergence() - sum.fluid_divergence);
         const double gain = particles.velocity[i].dot(forces.on_particle[c]) - particles.pressure[i] * volume_rate;
         power.dissipation.add(weight * (work - gain));
     }

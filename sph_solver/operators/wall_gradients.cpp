@@ -31,9 +31,7 @@ template<int D> struct ImageSums {
             sums.density[b] += rho0 * sum_lanes(ratio[static_cast<std::size_t>(b)]);
             for (int a = 0; a < D; ++a) {
                 sums.moment(a, b) += sum_lanes(moment[static_cast<std::size_t>(a * D + b)]);
-                const double part = sum_lanes(velocity[static_cast<std::size_t>(a * D + b)]);
-                sums.velocity(a, b) += part;
-                sums.at_walls(a, b) += part;
+                sums.velocity(a, b) += sum_lanes(velocity[static_cast<std::size_t>(a * D + b)]);
             }
         }
     }

@@ -8,7 +8,7 @@
 namespace sph {
 
 /// Pass 1 at the walls: adds the images that each owned particle sees to its sums of M, G[rho], G[v] as if they were
-/// neighbours (operators/gradient_sums.hpp). `at_walls` keeps their part.
+/// neighbours (operators/gradient_sums.hpp), but for `fluid_divergence`.
 /// \pre images.find for the present positions; sums hold one row for each owned particle.
 template<int D>
 void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& images, const Walls<D>& walls,

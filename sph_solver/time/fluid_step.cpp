@@ -82,8 +82,7 @@ template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
     }
     const auto part = measure("pass 1: finish", Work::particle);
     finish_gradients(particles, evaluation_.rates, evaluation_.gradient_sums, model_);
-    if (std::holds_alternative<ShiftedMotion>(model_.face_motion))
-        find_shifts(particles, records_, in_reach_.reached(), evaluation_.gradient_sums, parts_.walls, model_);
+    find_shifts(particles, records_, in_reach_.reached(), evaluation_.gradient_sums, parts_.walls, model_);
 }
 
 /// Fluxes through the faces of some rows, when the particles `which` have got their gradients.
@@ -91,8 +90,7 @@ template<int D>
 void FluidStep<D>::second_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
 {
     const auto part = measure("pass 2: fluxes", Work::pair);
-    records_.load_slopes(particles, model_.eos, which);
-    if (std::holds_alternative<RenormalisedArea>(model_.pair_area)) records_.load_areas(particles, which);
+    records_.load_slopes(particles, model_, which);
     add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_);
     for (const auto& term : terms_)
         term->add(evaluation_.rates, evaluation_.viscous, records_, in_reach_.reached(), rows);

@@ -37,7 +37,7 @@ template<int D> struct Evaluation {
 
     void select()
     {
-        records.load_states(particles, model.eos);
+        records.load_states(particles, model.eos, particles.owned);
         reached = &in_reach.select(particles, search.list());
     }
 
@@ -49,7 +49,7 @@ template<int D> struct Evaluation {
 
     void fluxes()
     {
-        records.load_slopes(particles, model.eos);
+        records.load_slopes(particles, model, particles.owned);
         add_fluid_fluid_flux(rates, fluxes_, records, *reached, particles.owned, model);
     }
 

@@ -13,8 +13,7 @@ constexpr double dx = 0.01;
 
 /// A lattice that has been stretched along x and pressed along y, in a linear flow, evaluated on renormalised areas.
 template<int D> struct StretchedFlow {
-    explicit StretchedFlow(double jitter)
-        : particles(sample::jittered_lattice<D>(14, dx, jitter, 1000.0))
+    explicit StretchedFlow(double jitter) : particles(sample::jittered_lattice<D>(14, dx, jitter, 1000.0))
     {
         slope = Mat<D>::Zero();
         slope(0, 0) = 2.0;
@@ -31,13 +30,13 @@ template<int D> struct StretchedFlow {
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model);
         rates.reset(particles.size());
         finish_gradients(particles, rates, sums, model);
-        records.load_slopes(particles, model.eos, particles.owned);
-        records.load_areas(particles, particles.owned);
+        records.load_slopes(particles, model, particles.owned);
         add_fluid_fluid_flux(rates, fluxes, records, neighbours, particles.owned, model);
     }
 
-    FluidModel<D> model{CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{},        Vec<D>::Zero(),
-                        ExactRiemann{},            MeanMotion{},       RenormalisedArea{}};
+    FluidModel<D> model{
+        CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{}, Vec<D>::Zero(), ExactRiemann{}, MeanMotion{},
+        RenormalisedArea{}};
     Mat<D> slope;
     Particles<D> particles;
     PairRecords<D> records;
@@ -117,7 +116,7 @@ TEST(PairArea, IsTheConjugateOfThePressureForce)
     for (auto& gradient : flow.particles.density_gradient) gradient.setZero();
     for (auto& gradient : flow.particles.velocity_gradient) gradient.setZero();
     flow.records.load_states(flow.particles, flow.model.eos, flow.particles.owned);
-    flow.records.load_slopes(flow.particles, flow.model.eos, flow.particles.owned);
+    flow.records.load_slopes(flow.particles, flow.model, flow.particles.owned);
     const auto moving = flow.fluxes;
     const auto rates = flow.rates;
     flow.rates.reset(flow.particles.size());

@@ -18,8 +18,8 @@ template<int D> struct WallPass {
              const FluidModel<D>& fluid)
         : walls(walls_now), model(fluid)
     {
-        records.load_states(particles, model.eos);
-        records.load_slopes(particles, model.eos);
+        records.load_states(particles, model.eos, particles.owned);
+        records.load_slopes(particles, model, particles.owned);
         images.find(walls, records, particles, neighbours);
     }
 
