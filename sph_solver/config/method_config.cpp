@@ -55,17 +55,22 @@ base::Table<NumericsConfig> numerics_table()
 {
     return base::Table<NumericsConfig>("the method")
         .key("limiter", &NumericsConfig::limiter,
-             {.doc = "MUSCL slope limiter; van_leer: less dissipation, more noise; none: unlimited slopes; first_order: no slopes",
+             {.doc = "MUSCL slope limiter; van_leer: less dissipation, more noise; none: unlimited slopes; "
+                     "first_order: no slopes",
               .choices = {"van_albada", "van_leer", "none", "first_order"}})
         .key("riemann", &NumericsConfig::riemann,
              {.doc = "Riemann solver; two_rarefaction: without shocks; acoustic: linear, not for violent flow",
               .choices = {"exact", "two_rarefaction", "acoustic"}})
         .key("face_motion", &NumericsConfig::face_motion,
-             {.doc = "faces between particles move with the pair's mean velocity, and mass is exchanged; or with the fluid: "
+             {.doc = "faces between particles move with the pair's mean velocity, and mass is exchanged; or with the "
+                     "fluid: "
                      "each particle keeps its mass; shifted: with the mean of particles that even out their distances",
               .choices = {"mean", "fluid", "shifted"}})
         .key("shift_strength", &NumericsConfig::shift_strength,
-             {.unit = "-", .doc = "how fast shifted particles even out, times the rate of strain", .min = 0, .max = 1000})
+             {.unit = "-",
+              .doc = "how fast shifted particles even out, times the rate of strain",
+              .min = 0,
+              .max = 1000})
         .key("pair_area", &NumericsConfig::pair_area,
              {.doc = "area vectors of the faces: the kernel's raw gradients, or renormalised inside the water",
               .choices = {"raw", "renormalised"}})
@@ -78,7 +83,9 @@ base::Table<ParallelConfig> parallel_table()
 {
     return base::Table<ParallelConfig>("the cut of the fluid into ranks; results do not depend on it")
         .key("imbalance_limit", &ParallelConfig::imbalance_limit,
-             {.unit = "-", .doc = "largest measured time of a rank over the mean before the fluid is cut anew", .min = 1.0})
+             {.unit = "-",
+              .doc = "largest measured time of a rank over the mean before the fluid is cut anew",
+              .min = 1.0})
         .key("rebuilds_between", &ParallelConfig::rebuilds_between,
              {.unit = "-", .doc = "neighbour list rebuilds between two attempts to cut it, at least", .min = 1});
 }

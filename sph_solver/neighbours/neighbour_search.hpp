@@ -15,8 +15,7 @@ namespace sph {
 ///
 /// The skin is what the list reaches beyond the kernel's support 2 h: the list is complete as long as no two particles
 /// have come closer by more than the skin, for which twice the largest displacement is the bound.
-template <int D>
-class NeighbourSearch {
+template<int D> class NeighbourSearch {
 public:
     /// \param support kernel support 2 h [m], positive  \param skin [m], not negative
     NeighbourSearch(double support, double skin);
@@ -40,7 +39,7 @@ public:
 
 private:
     static constexpr std::size_t row_count = D == 2 ? 3 : 9;
-    using Runs = std::array<std::pair<int, int>, row_count>;  ///< local index ranges of three cells in a row
+    using Runs = std::array<std::pair<int, int>, row_count>; ///< local index ranges of three cells in a row
 
     void find_cells(const std::vector<Vec<D>>& position);
     [[nodiscard]] Runs runs_around(CellKey key);
@@ -51,11 +50,11 @@ private:
     double skin_;
     CellGrid<D> grid_;
     NeighbourList list_;
-    PointColumns<D> points_;               ///< positions of all local particles
-    std::vector<Vec<D>> built_at_;        ///< positions of the owned particles at the build
-    std::vector<CellKey> cell_keys_;      ///< occupied cells, ascending
-    std::vector<int> cell_begins_;        ///< first local index of each, and the end
-    std::array<std::size_t, row_count> sweep_{};  ///< where the last search of each row ended
+    PointColumns<D> points_;                     ///< positions of all local particles
+    std::vector<Vec<D>> built_at_;               ///< positions of the owned particles at the build
+    std::vector<CellKey> cell_keys_;             ///< occupied cells, ascending
+    std::vector<int> cell_begins_;               ///< first local index of each, and the end
+    std::array<std::size_t, row_count> sweep_{}; ///< where the last search of each row ended
 };
 
-}  // namespace sph
+} // namespace sph

@@ -36,11 +36,11 @@ template<int D, class T>
 
 /// What the velocity carried across the face needs beside the Riemann solution.
 template<int D, class T> struct FaceFrame {
-    std::array<T, D> x;                 ///< x_j - x_i [m]
-    T inverse_distance;                 ///< 1 / |x_ij| [1/m]
-    std::array<T, D> mean_velocity;     ///< (v_i + v_j) / 2 [m/s]
-    Across<D, T> jump;                  ///< of the velocity
-    Across<D, T> slope_i, slope_j;      ///< of the velocity
+    std::array<T, D> x;             ///< x_j - x_i [m]
+    T inverse_distance;             ///< 1 / |x_ij| [1/m]
+    std::array<T, D> mean_velocity; ///< (v_i + v_j) / 2 [m/s]
+    Across<D, T> jump;              ///< of the velocity
+    Across<D, T> slope_i, slope_j;  ///< of the velocity
 };
 
 /// The density of the same pair.

@@ -29,9 +29,11 @@ using Pack = double __attribute__((vector_size(pack_size * sizeof(double))));
 /// decides what lives in registers.
 template<std::size_t N, class Visit> [[gnu::always_inline]] inline void unrolled(Visit visit)
 {
-    [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline))
+    {
         (visit(std::integral_constant<std::size_t, k>{}), ...);
-    }(std::make_index_sequence<N>{});
+    }
+    (std::make_index_sequence<N>{});
 }
 
 /// Two-way names for one operation, so that a formula reads the same for `double` and for `Pack`.
@@ -130,8 +132,7 @@ inline double sum_lanes(Pack a) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4
 [[gnu::always_inline]] inline Pack sum_lanes(const std::array<Pack, 8>& a)
 {
     std::array<Pack, 4> two;
-    for (std::size_t k = 0; k < 4; ++k)
-        two[k] = even_lanes(a[2 * k], a[2 * k + 1]) + odd_lanes(a[2 * k], a[2 * k + 1]);
+    for (std::size_t k = 0; k < 4; ++k) two[k] = even_lanes(a[2 * k], a[2 * k + 1]) + odd_lanes(a[2 * k], a[2 * k + 1]);
     const Pack first = even_pieces(two[0], two[1]) + odd_pieces(two[0], two[1]);
     const Pack second = even_pieces(two[2], two[3]) + odd_pieces(two[2], two[3]);
     return even_pieces(first, second) + odd_pieces(first, second);

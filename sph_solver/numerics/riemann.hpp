@@ -75,8 +75,7 @@ struct ExactRiemann {
     }
 
     /// C of the formula above, kept short of vacuum.
-    template<class T>
-    [[gnu::always_inline]] static T rarefaction_cube(const FaceStates<T>& face, T cube_l, T cube_r)
+    template<class T> [[gnu::always_inline]] static T rarefaction_cube(const FaceStates<T>& face, T cube_l, T cube_r)
     {
         constexpr double smallest = 1e-3;
         return maximum(0.5 * (cube_l + cube_r) + 1.5 * (face.u_l - face.u_r), smallest + T{});
@@ -128,7 +127,7 @@ inline RiemannSolution solve_riemann(const RiemannState& left, const RiemannStat
 {
     const double mean = 0.5 * (left.u + right.u);
     const auto star = ExactRiemann{}(FaceStates<double>{left.rho / eos.rho0, (left.u - mean) / eos.c0,
-                                                              right.rho / eos.rho0, (right.u - mean) / eos.c0});
+                                                        right.rho / eos.rho0, (right.u - mean) / eos.c0});
     return {eos.rho0 * star.q, mean + eos.c0 * star.u, eos.pressure_at_ratio(star.q)};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/operators/flux_sums.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/state/particles.hpp"
 

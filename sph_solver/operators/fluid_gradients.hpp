@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
 #include "sph_solver/operators/gradient_sums.hpp"
+#include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/state/particles.hpp"
 
@@ -17,8 +17,8 @@ namespace sph {
 /// order, for the given rows.
 /// \pre records.load_states was called for the present state.
 template<int D>
-void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                                const RowSet& rows, const FluidModel<D>& model);
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records,
+                                const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model);
 
 /// Gradients of owned particles and the rate of their volumes from the complete sums:
 ///
@@ -26,7 +26,8 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 ///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close; with renormalised
 ///                         pair areas, pass 2 adds what the fluid's pairs are off)
 template<int D>
-void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums, const FluidModel<D>& model);
+void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
+                      const FluidModel<D>& model);
 
 /// M may be inverted where its smallest eigenvalue exceeds this.
 inline constexpr double least_eigenvalue = 0.2;

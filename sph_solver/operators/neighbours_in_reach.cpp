@@ -28,8 +28,7 @@ template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, 
     next_ = 0;
 }
 
-template<int D>
-void NeighboursInReach<D>::take_positions(const Particles<D>& particles, const std::vector<int>& which)
+template<int D> void NeighboursInReach<D>::take_positions(const Particles<D>& particles, const std::vector<int>& which)
 {
     for (const int i : which) points_.set(i, particles.position[static_cast<std::size_t>(i)]);
 }

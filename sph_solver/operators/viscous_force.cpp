@@ -9,8 +9,9 @@ namespace {
 
 /// Adds w_j (|W'|/r) (v_j - v_i) of eight neighbours.
 template<int D>
-[[gnu::always_inline]] inline void add_pull(PackVector<D>& sum, const PackVector<D>& x, const PackVector<D>& velocity_jump,
-                                            Pack volume, const CubicSpline<D>& kernel)
+[[gnu::always_inline]] inline void add_pull(PackVector<D>& sum, const PackVector<D>& x,
+                                            const PackVector<D>& velocity_jump, Pack volume,
+                                            const CubicSpline<D>& kernel)
 {
     const Pack r = square_root(dot(x, x) + 1e-300);
     const Pack pull = volume * (kernel.slope(r) / r);

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] int cuts() const { return cuts_; }
     [[nodiscard]] int declined() const { return declined_; }
     [[nodiscard]] double present() const { return present_; } ///< averaged over the last rebuilds; 1: none measured
-    [[nodiscard]] double mean() const;                         ///< over the run, weighted with the time; 1: not measured
+    [[nodiscard]] double mean() const;                        ///< over the run, weighted with the time; 1: not measured
 
 private:
     RebalanceSettings settings_;

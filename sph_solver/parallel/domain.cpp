@@ -55,7 +55,8 @@ template<int D> void Domain<D>::update_blocks(const Particles<D>& particles)
     const bool first = blocks_.empty();
     if (!first) {
         auto entered = counts;
-        std::erase_if(entered, [this](const auto& block) { return blocks_.owner(block.first) != BlockMap<D>::unknown; });
+        std::erase_if(entered,
+                      [this](const auto& block) { return blocks_.owner(block.first) != BlockMap<D>::unknown; });
         blocks_.adopt(comm_, as_list(entered, comm_.rank()));
     }
     const bool overgrown = blocks_.size() > 2 * blocks_at_attempt_; // by blocks that water has left
@@ -192,14 +193,12 @@ template<int D> void Domain<D>::finish_state(Particles<D>& particles)
 
 template<int D> void Domain<D>::start_gradients(const Particles<D>& particles) const
 {
-    scatter_.start(particles.density_gradient, particles.velocity_gradient, particles.renormaliser,
-                   particles.shift);
+    scatter_.start(particles.density_gradient, particles.velocity_gradient, particles.renormaliser, particles.shift);
 }
 
 template<int D> void Domain<D>::finish_gradients(Particles<D>& particles) const
 {
-    scatter_.finish(particles.density_gradient, particles.velocity_gradient, particles.renormaliser,
-                    particles.shift);
+    scatter_.finish(particles.density_gradient, particles.velocity_gradient, particles.renormaliser, particles.shift);
 }
 
 template<int D>

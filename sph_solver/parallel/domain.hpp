@@ -69,10 +69,10 @@ private:
     Balance balance_;
     base::Scatter scatter_;
     bool state_travels_ = false;
-    std::size_t blocks_at_attempt_ = 0; ///< blocks after the last attempt to cut
+    std::size_t blocks_at_attempt_ = 0;    ///< blocks after the last attempt to cut
     std::map<CellKey, std::int64_t> work_; ///< of my blocks [ps], from the last record_work
     std::size_t least_owned_ = static_cast<std::size_t>(-1);
-    std::int64_t mean_work_ = 1;           ///< of a particle, over all ranks [ps]
+    std::int64_t mean_work_ = 1; ///< of a particle, over all ranks [ps]
 };
 
 } // namespace sph

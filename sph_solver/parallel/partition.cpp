@@ -52,7 +52,7 @@ std::vector<int> partition(const WeightedGraph& graph, int parts)
     std::vector<idx_t> part(graph.size());
     const int status =
         METIS_PartGraphRecursive(&vertices, &constraints, offsets.data(), adjacency.data(), weights.data(), nullptr,
-                            edges.data(), &part_count, nullptr, nullptr, options.data(), &cut, part.data());
+                                 edges.data(), &part_count, nullptr, nullptr, options.data(), &cut, part.data());
     base::require(status == METIS_OK, base::ExitCode::numerical_failure, "METIS could not cut a graph of ",
                   graph.size(), " blocks into ", parts, " parts (status ", status, ")");
     return {part.begin(), part.end()};

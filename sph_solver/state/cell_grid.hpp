@@ -15,8 +15,7 @@ using CellKey = std::uint64_t;
 
 /// Cubic cells that fill space. The origin is fixed at zero, so that a particle's cell depends on nothing but its
 /// position: not on the rank, not on the other particles.
-template <int D>
-class CellGrid {
+template<int D> class CellGrid {
 public:
     using Cell = std::array<int, D>;
 
@@ -64,4 +63,4 @@ private:
     double per_size_;
 };
 
-}  // namespace sph
+} // namespace sph

@@ -13,10 +13,10 @@ enum class Role { conserved, derived, scratch };
 
 /// One line of the field table: how a field is called, written and measured.
 struct FieldInfo {
-    std::string_view name;         ///< in files and code
-    std::string_view symbol;       ///< in formulas
-    std::string_view unit;         ///< in 3D; see `unit_2d`
-    std::string_view unit_2d;      ///< per metre of depth
+    std::string_view name;    ///< in files and code
+    std::string_view symbol;  ///< in formulas
+    std::string_view unit;    ///< in 3D; see `unit_2d`
+    std::string_view unit_2d; ///< per metre of depth
     std::string_view description;
     Role role;
 
@@ -24,10 +24,9 @@ struct FieldInfo {
 };
 
 /// A table entry: the description and the column of `Container` that holds the values.
-template <class Container, class T>
-struct Field {
+template<class Container, class T> struct Field {
     FieldInfo info;
-    T Container::* column;
+    T Container::*column;
 };
 
-}  // namespace sph
+} // namespace sph

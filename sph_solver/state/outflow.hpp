@@ -12,8 +12,7 @@
 namespace sph {
 
 /// An opening: what lies on the side that the normal points to has left the domain.
-template <int D>
-struct OutflowPlane {
+template<int D> struct OutflowPlane {
     Vec<D> point;
     Vec<D> normal;
 };
@@ -21,22 +20,20 @@ struct OutflowPlane {
 /// What has left through the openings since the start, on this rank; 2D: per metre of depth.
 struct OutflowTotals {
     std::int64_t particles = 0;
-    base::ReproducibleSum mass;                     ///< [kg]
-    std::array<base::ReproducibleSum, 3> momentum;  ///< [kg m/s]
-    base::ReproducibleSum kinetic;                  ///< [J]
-    base::ReproducibleSum potential;                ///< -m g.x [J]
-    base::ReproducibleSum internal;                 ///< [J]
+    base::ReproducibleSum mass;                    ///< [kg]
+    std::array<base::ReproducibleSum, 3> momentum; ///< [kg m/s]
+    base::ReproducibleSum kinetic;                 ///< [J]
+    base::ReproducibleSum potential;               ///< -m g.x [J]
+    base::ReproducibleSum internal;                ///< [J]
 };
 
 /// Takes out the particles that have passed an opening and counts what they take along.
-template <int D>
-class Outflow {
+template<int D> class Outflow {
 public:
     Outflow() = default;
     Outflow(std::vector<OutflowPlane<D>> planes, const Tait& eos, const Vec<D>& gravity)
         : planes_(std::move(planes)), eos_(eos), gravity_(gravity)
-    {
-    }
+    {}
 
     [[nodiscard]] bool empty() const { return planes_.empty(); }
 
@@ -55,4 +52,4 @@ private:
     OutflowTotals totals_;
 };
 
-}  // namespace sph
+} // namespace sph

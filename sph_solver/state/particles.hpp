@@ -17,32 +17,31 @@ namespace sph {
 ///
 /// Columns have `size()` entries. `owned` lists the local indices of my particles, ascending; loops that write
 /// results run over it, loops that read neighbours may touch any index.
-template <int D>
-struct Particles {
+template<int D> struct Particles {
     static constexpr int dimension = D;
 
     // conserved
-    std::vector<std::int64_t> id;           ///< global number, fixed for life
-    std::vector<Vec<D>> position;           ///< x [m]
-    std::vector<double> volume;             ///< w [m^D]
-    std::vector<double> mass;               ///< m [kg], 2D [kg/m]
-    std::vector<Vec<D>> momentum;           ///< P = m v [kg m/s], 2D [kg/s]
+    std::vector<std::int64_t> id; ///< global number, fixed for life
+    std::vector<Vec<D>> position; ///< x [m]
+    std::vector<double> volume;   ///< w [m^D]
+    std::vector<double> mass;     ///< m [kg], 2D [kg/m]
+    std::vector<Vec<D>> momentum; ///< P = m v [kg m/s], 2D [kg/s]
 
     // derived on every local particle from the conserved fields
-    std::vector<Vec<D>> velocity;           ///< v = P / m [m/s]
-    std::vector<double> density;            ///< rho = m / w [kg/m^3]
-    std::vector<double> pressure;           ///< p(rho) [Pa]
-    std::vector<double> sound_speed;        ///< c(rho) [m/s]
+    std::vector<Vec<D>> velocity;    ///< v = P / m [m/s]
+    std::vector<double> density;     ///< rho = m / w [kg/m^3]
+    std::vector<double> pressure;    ///< p(rho) [Pa]
+    std::vector<double> sound_speed; ///< c(rho) [m/s]
 
     // derived on owned particles by a neighbour sum, then sent to the halo copies
-    std::vector<Vec<D>> density_gradient;   ///< grad rho [kg/m^4]
-    std::vector<Mat<D>> velocity_gradient;  ///< (grad v)(a, b) = dv_a / dx_b [1/s]
-    std::vector<Mat<D>> renormaliser;       ///< K of the pair areas (numerics/pair_area.hpp) [-]
-    std::vector<Vec<D>> shift;              ///< velocity of the particle beside that of the fluid in it [m/s]
+    std::vector<Vec<D>> density_gradient;  ///< grad rho [kg/m^4]
+    std::vector<Mat<D>> velocity_gradient; ///< (grad v)(a, b) = dv_a / dx_b [1/s]
+    std::vector<Mat<D>> renormaliser;      ///< K of the pair areas (numerics/pair_area.hpp) [-]
+    std::vector<Vec<D>> shift;             ///< velocity of the particle beside that of the fluid in it [m/s]
 
     // ownership
-    std::vector<int> owned;                 ///< local indices of my particles, ascending
-    std::vector<std::uint8_t> is_owned;     ///< 1 for mine, 0 for a halo copy
+    std::vector<int> owned;             ///< local indices of my particles, ascending
+    std::vector<std::uint8_t> is_owned; ///< 1 for mine, 0 for a halo copy
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
 
@@ -55,11 +54,10 @@ struct Particles {
 
 /// Time derivatives of the conserved fields, one entry for each local particle, filled for owned ones.
 /// (The position's derivative is velocity + shift.)
-template <int D>
-struct Rates {
-    std::vector<double> volume;             ///< dw/dt [m^D/s]
-    std::vector<double> mass;               ///< dm/dt [kg/s]
-    std::vector<Vec<D>> momentum;           ///< dP/dt [N]
+template<int D> struct Rates {
+    std::vector<double> volume;   ///< dw/dt [m^D/s]
+    std::vector<double> mass;     ///< dm/dt [kg/s]
+    std::vector<Vec<D>> momentum; ///< dP/dt [N]
 
     /// Zeroes all rates for `count` local particles.
     void reset(std::size_t count);
@@ -67,8 +65,7 @@ struct Rates {
 
 /// The solver's one field table: allocation, migration, halo exchange, checkpoints and the attributes in output files
 /// are driven by it. A field added here is carried everywhere.
-template <int D>
-constexpr auto field_table()
+template<int D> constexpr auto field_table()
 {
     using P = Particles<D>;
     using enum Role;
@@ -88,7 +85,8 @@ constexpr auto field_table()
                         derived},
               &P::velocity_gradient},
         Field{FieldInfo{"renormaliser", "K", "-", "-", "factor of the pair areas", derived}, &P::renormaliser},
-        Field{FieldInfo{"shift", "v_s", "m/s", "m/s", "velocity of the particle beside the fluid's", derived}, &P::shift});
+        Field{FieldInfo{"shift", "v_s", "m/s", "m/s", "velocity of the particle beside the fluid's", derived},
+              &P::shift});
 }
 
 /// dx_i/dt = v + v_s [m/s].
@@ -98,16 +96,14 @@ template<int D> Vec<D> particle_velocity(const Particles<D>& particles, std::siz
 }
 
 /// Calls visit(info, column) for every field of the table, in its order.
-template <int D, class Visitor>
-void for_each_field(Particles<D>& particles, Visitor&& visit)
+template<int D, class Visitor> void for_each_field(Particles<D>& particles, Visitor&& visit)
 {
     std::apply([&](const auto&... field) { (visit(field.info, particles.*(field.column)), ...); }, field_table<D>());
 }
 
-template <int D, class Visitor>
-void for_each_field(const Particles<D>& particles, Visitor&& visit)
+template<int D, class Visitor> void for_each_field(const Particles<D>& particles, Visitor&& visit)
 {
     std::apply([&](const auto&... field) { (visit(field.info, particles.*(field.column)), ...); }, field_table<D>());
 }
 
-}  // namespace sph
+} // namespace sph

@@ -58,7 +58,7 @@ private:
 
     FluidModel<D> model_;
     base::ReproducibleSum riemann_, mass_flux_, viscous_; ///< dissipated on this rank so far
-    WallPower walls_;                           ///< work and loss at the walls so far, this rank
+    WallPower walls_;                                     ///< work and loss at the walls so far, this rank
     bool started_ = false;
     double start_total_ = 0;
 };

@@ -35,7 +35,10 @@ template<int D> struct FluidParts {
 template<int D> class FluidStep {
 public:
     FluidStep(const FluidModel<D>& model, const RungeKutta& runge_kutta, const FluidParts<D>& parts)
-        : model_(model), runge_kutta_(runge_kutta), parts_(parts), in_reach_(model.kernel.support()),
+        : model_(model),
+          runge_kutta_(runge_kutta),
+          parts_(parts),
+          in_reach_(model.kernel.support()),
           meter_(parts.domain.comm().size() > 1)
     {}
 

@@ -71,8 +71,8 @@ void run(const base::Communicator& comm, int side)
     if (!comm.is_root()) return;
     std::printf("ranks %d, blocks %zu, particles a rank %.0f: work largest/mean %.3f, particles largest/mean %.3f, "
                 "halo mean %.0f (%.2f of the best boxes' %.0f), largest %.0f\n",
-                comm.size(), domain.blocks().size(), mean_owned, work, most_owned, mean_halo,
-                mean_halo / boxes, boxes, most_halo);
+                comm.size(), domain.blocks().size(), mean_owned, work, most_owned, mean_halo, mean_halo / boxes, boxes,
+                most_halo);
 }
 
 } // namespace

@@ -7,10 +7,7 @@ namespace sph {
 namespace {
 
 /// The limited jump of a field with jump d and upstream jump u: phi = k (d + u).
-template<class Limiter> double phi(double d, double u)
-{
-    return Limiter{}.factor(d * u, d * d + u * u) * (d + u);
-}
+template<class Limiter> double phi(double d, double u) { return Limiter{}.factor(d * u, d * d + u * u) * (d + u); }
 
 TEST(VanAlbada, IsTheTextbookFormula)
 {
@@ -41,8 +38,7 @@ TEST(VanAlbada, FourAtOnceAreThoseOfEach)
 {
     const std::array<double, 4> product = {0.2, -1.0, 3e-20, 0.0}, squares = {0.5, 2.0, 7e-20, 0.0};
     const auto four = VanAlbada{}.factors(product, squares);
-    for (std::size_t k = 0; k < 4; ++k)
-        EXPECT_NEAR(four[k], VanAlbada{}.factor(product[k], squares[k]), 1e-15) << k;
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(four[k], VanAlbada{}.factor(product[k], squares[k]), 1e-15) << k;
     const auto swapped = VanAlbada{}.factors(std::array{-1.0, 0.2, 0.0, 3e-20}, std::array{2.0, 0.5, 0.0, 7e-20});
     EXPECT_EQ(four[0], swapped[1]); // the pair seen from its other side: the same bits
     EXPECT_EQ(four[2], swapped[3]);
@@ -57,8 +53,8 @@ TEST(VanLeer, IsTheTextbookFormula)
             EXPECT_EQ(phi<VanLeer>(a, -b), 0.0);
             EXPECT_GE(phi<VanLeer>(a, b), phi<VanAlbada>(a, b) - 1e-15);
             const double p = a * b, q = a * a + b * b;
-            EXPECT_NEAR(VanLeer{}.factors(std::array{p, -p, p, p}, std::array{q, q, 2 * q, q})[3], VanLeer{}.factor(p, q),
-                        1e-15);
+            EXPECT_NEAR(VanLeer{}.factors(std::array{p, -p, p, p}, std::array{q, q, 2 * q, q})[3],
+                        VanLeer{}.factor(p, q), 1e-15);
         }
 }
 

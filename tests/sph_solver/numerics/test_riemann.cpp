@@ -107,8 +107,7 @@ TEST(Riemann, PackGivesTheSameBits)
         {1.0, 1.01, 0.99, 1.2}, {0.1, -0.02, 0.3, 0.0}, {1.0, 0.98, 1.01, 0.9}, {-0.1, 0.01, 0.2, 0.0}};
     const auto packed = ExactRiemann{}(faces);
     for (int k = 0; k < pack_size; ++k) {
-        const auto one =
-            ExactRiemann{}(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
+        const auto one = ExactRiemann{}(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
         EXPECT_EQ(packed.q[k], one.q);
         EXPECT_EQ(packed.u[k], one.u);
     }

@@ -97,7 +97,8 @@ Vec<2> drag_on_wall(bool no_slip)
         const WallContact& contact = walls.contacts().contacts[c];
         const double x = particles.position[static_cast<std::size_t>(contact.particle)].x();
         if (x < 3 || x > side - 3) continue; // the ends lack neighbours
-        for (int p = contact.plane_begin; p < contact.plane_end; ++p) drag += forces.on_wall[static_cast<std::size_t>(p)];
+        for (int p = contact.plane_begin; p < contact.plane_end; ++p)
+            drag += forces.on_wall[static_cast<std::size_t>(p)];
         back += forces.on_particle[c];
     }
     EXPECT_LT((drag + back).norm(), 1e-13 * (drag.norm() + 1.0));

@@ -87,7 +87,8 @@ TEST(Domain, NeighbourSumsAreTheSameToTheLastBitOnAnyNumberOfRanks2D) { expect_r
 TEST(Domain, NeighbourSumsAreTheSameToTheLastBitOnAnyNumberOfRanks3D) { expect_rank_invariance<3>(1200, 0.1); }
 
 /// The neighbours of each particle, by id in ascending order, on all ranks together.
-template<int D> std::vector<std::pair<std::int64_t, std::int64_t>> pairs_by_id(const Particles<D>& particles, const NeighbourList& list)
+template<int D>
+std::vector<std::pair<std::int64_t, std::int64_t>> pairs_by_id(const Particles<D>& particles, const NeighbourList& list)
 {
     std::vector<std::pair<std::int64_t, std::int64_t>> pairs;
     for (std::size_t k = 0; k < list.rows(); ++k)

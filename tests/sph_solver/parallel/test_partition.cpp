@@ -50,8 +50,9 @@ TEST(Partition, KeepsTheOwnersOfMostWork)
 {
     const std::vector<std::int64_t> work = {5, 5, 1, 5, 5, 1};
     EXPECT_EQ(keep_owners({0, 0, 1, 1, 1, 2}, {2, 2, 2, 0, 0, 1}, work, 3), (std::vector<int>{2, 2, 0, 0, 0, 1}));
-    EXPECT_EQ(keep_owners({0, 1, 2}, {-1, -1, 0}, {1, 1, 1}, 3), (std::vector<int>{1, 2, 0})); // new blocks take what is left
-    EXPECT_EQ(keep_owners({1, 1}, {0, 1}, {3, 4}, 4), (std::vector<int>{1, 1}));               // more ranks than blocks
+    EXPECT_EQ(keep_owners({0, 1, 2}, {-1, -1, 0}, {1, 1, 1}, 3),
+              (std::vector<int>{1, 2, 0}));                                      // new blocks take what is left
+    EXPECT_EQ(keep_owners({1, 1}, {0, 1}, {3, 4}, 4), (std::vector<int>{1, 1})); // more ranks than blocks
 }
 
 TEST(Partition, ImbalanceIsTheLargestOverTheMean)

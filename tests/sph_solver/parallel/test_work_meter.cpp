@@ -19,8 +19,8 @@ TEST(WorkMeter, CostsAreThoseOfAllRanksTogether)
     EXPECT_NEAR(meter.cost(Work::pair), 3e-9, 1e-20);
     EXPECT_NEAR(meter.cost(Work::image), 1e-7, 1e-18);
     EXPECT_EQ(meter.cost(Work::particle), 0.0);
-    EXPECT_EQ(meter.calibrate(comm), 0.0);              // nothing since
-    EXPECT_NEAR(meter.cost(Work::pair), 3e-9, 1e-20);   // but what is known stays
+    EXPECT_EQ(meter.calibrate(comm), 0.0);            // nothing since
+    EXPECT_NEAR(meter.cost(Work::pair), 3e-9, 1e-20); // but what is known stays
 }
 
 TEST(WorkMeter, OlderMeasurementsFade)

@@ -9,8 +9,7 @@ namespace sph::testing {
 
 /// The same random particles on every rank: an L of `count` particles in the unit square or cube, with two far away, so
 /// that blocks differ in weight and the domain has holes. Global order by id; all owned.
-template <int D>
-Particles<D> random_particles(int count, unsigned seed = 1)
+template<int D> Particles<D> random_particles(int count, unsigned seed = 1)
 {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -31,4 +30,4 @@ Particles<D> random_particles(int count, unsigned seed = 1)
     return particles;
 }
 
-}  // namespace sph::testing
+} // namespace sph::testing
