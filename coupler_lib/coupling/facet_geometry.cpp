@@ -27,12 +27,13 @@ double facet_measure(const std::array<int, 4>& nodes, const std::vector<double>&
 {
     const double* a = corner(nodes, 0, points, dimension);
     const double* b = corner(nodes, 1, points, dimension);
-    if (dimension == 2) return std::hypot(b[0] - a[0], b[1] - a[1]);
+    if (dimension == 2) return std::sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]));
     const double* c = corner(nodes, 2, points, dimension);
     const double* d = corner_count(nodes) == 4 ? corner(nodes, 3, points, dimension) : a;
     const double p[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]}; // diagonals of a b c d; for a triangle d = a
     const double q[3] = {d[0] - b[0], d[1] - b[1], d[2] - b[2]};
-    return 0.5 * std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
+    const double n[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    return 0.5 * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 }
 
 std::array<double, 3> facet_centre(const std::array<int, 4>& nodes, const std::vector<double>& points, int dimension)

@@ -5,32 +5,41 @@
 #include "coupler_lib/foundation/check.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 namespace coupler {
 namespace {
 
-/// Appends the values of the chosen nodes to the packet.
-void put_nodes(const std::vector<double>& values, const std::vector<int>& nodes, int dimension,
-               std::vector<double>& scratch, PacketWriter& packet)
+/// Appends the values of the chosen nodes to the packet, D components each.
+template<int D> void put_nodes(const std::vector<double>& values, const std::vector<int>& nodes, PacketWriter& packet)
 {
-    scratch.clear();
-    for (const int node : nodes) {
-        const double* value = values.data() + static_cast<std::ptrdiff_t>(node) * dimension;
-        scratch.insert(scratch.end(), value, value + dimension);
-    }
-    packet.put(scratch);
+    constexpr std::size_t bytes = D * sizeof(double);
+    if (nodes.size() * D == values.size()) return packet.put(values); // all of them, in order
+    char* to = packet.room(nodes.size() * bytes);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        std::memcpy(to + k * bytes, values.data() + static_cast<std::ptrdiff_t>(nodes[k]) * D, bytes);
 }
 
-void take_nodes(PacketReader& packet, const std::vector<int>& places, int dimension, std::vector<double>& scratch,
-                std::vector<double>& values)
+/// \param in_order  the places are 0, 1, 2, ...
+template<int D>
+void take_nodes(PacketReader& packet, const std::vector<int>& places, bool in_order, std::vector<double>& values)
 {
-    packet.take(scratch, places.size() * static_cast<std::size_t>(dimension));
-    const double* from = scratch.data();
-    for (const int place : places) {
-        std::copy(from, from + dimension, values.data() + static_cast<std::ptrdiff_t>(place) * dimension);
-        from += dimension;
+    constexpr std::size_t bytes = D * sizeof(double);
+    const char* from = packet.view(places.size(), bytes);
+    if (in_order) {
+        if (!values.empty()) std::memcpy(values.data(), from, places.size() * bytes);
+        return;
     }
+    for (std::size_t k = 0; k < places.size(); ++k)
+        std::memcpy(values.data() + static_cast<std::ptrdiff_t>(places[k]) * D, from + k * bytes, bytes);
+}
+
+bool is_inside(const RegionBox& box, const RegionBox& region, int dimension)
+{
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
+        if (!(box.low[d] >= region.low[d] && box.high[d] <= region.high[d])) return false;
+    return true;
 }
 
 struct FacetPlace {
@@ -55,13 +64,31 @@ std::vector<FacetPlace> sorted_facets(const std::vector<ReceivedFacets>& parts)
 
 } // namespace
 
-bool FacetRoute::choose(const WetSurface& surface, const std::vector<int>& order, const SurfaceMotion& motion,
-                        const RegionBox& region)
+RegionBox box_around(const std::vector<double>& points, int dimension)
 {
-    next_facets_.clear();
-    for (const int facet : order)
-        if (touches(surface.facet_nodes[static_cast<std::size_t>(facet)], motion.position, surface.dimension, region))
-            next_facets_.push_back(facet);
+    RegionBox box;
+    const auto components = static_cast<std::size_t>(dimension);
+    for (std::size_t k = 0; k < points.size(); k += components)
+        for (std::size_t d = 0; d < components; ++d) {
+            box.low[d] = std::min(box.low[d], points[k + d]);
+            box.high[d] = std::max(box.high[d], points[k + d]);
+        }
+    return box;
+}
+
+bool FacetRoute::choose(const WetSurface& surface, const std::vector<int>& order, const SurfaceMotion& motion,
+                        const RegionBox& all, const RegionBox& region)
+{
+    if (is_inside(all, region, surface.dimension)) {
+        if (!first_ && facets_.size() == order.size()) return false;
+        next_facets_ = order;
+    } else {
+        next_facets_.clear();
+        for (const int facet : order)
+            if (touches(surface.facet_nodes[static_cast<std::size_t>(facet)], motion.position, surface.dimension,
+                        region))
+                next_facets_.push_back(facet);
+    }
     if (!first_ && next_facets_ == facets_) return false;
     first_ = false;
     facets_.swap(next_facets_);
@@ -72,20 +99,19 @@ bool FacetRoute::choose(const WetSurface& surface, const std::vector<int>& order
 void FacetRoute::list_nodes(const WetSurface& surface)
 {
     std::vector<int> place(surface.node_ids.size(), -1);
+    for (const int facet : facets_)
+        for (const int node : surface.facet_nodes[static_cast<std::size_t>(facet)])
+            if (node >= 0) place[static_cast<std::size_t>(node)] = 0;
     nodes_.clear();
+    for (std::size_t node = 0; node < place.size(); ++node) {
+        if (place[node] < 0) continue;
+        place[node] = static_cast<int>(nodes_.size());
+        nodes_.push_back(static_cast<int>(node));
+    }
     connectivity_.clear();
     for (const int facet : facets_) {
-        std::array<int, 4> mine{-1, -1, -1, -1};
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int node = surface.facet_nodes[static_cast<std::size_t>(facet)][k];
-            if (node < 0) break;
-            int& slot = place[static_cast<std::size_t>(node)];
-            if (slot < 0) {
-                slot = static_cast<int>(nodes_.size());
-                nodes_.push_back(node);
-            }
-            mine[k] = slot;
-        }
+        std::array<int, 4> mine = surface.facet_nodes[static_cast<std::size_t>(facet)];
+        for (int& node : mine) node = node < 0 ? -1 : place[static_cast<std::size_t>(node)];
         connectivity_.push_back(mine);
     }
 }
@@ -101,9 +127,8 @@ void FacetRoute::write(const WetSurface& surface, const SurfaceMotion& motion, b
         for (const int node : nodes_) packet.put(surface.node_ids[static_cast<std::size_t>(node)]);
         packet.put(connectivity_);
     }
-    put_nodes(motion.position, nodes_, surface.dimension, columns_, packet);
-    put_nodes(motion.velocity, nodes_, surface.dimension, columns_, packet);
-    put_nodes(motion.acceleration, nodes_, surface.dimension, columns_, packet);
+    for (const auto* values : {&motion.position, &motion.velocity, &motion.acceleration})
+        surface.dimension == 2 ? put_nodes<2>(*values, nodes_, packet) : put_nodes<3>(*values, nodes_, packet);
 }
 
 void merge_topology(std::vector<ReceivedFacets>& parts, FacetBatch& batch)
@@ -119,29 +144,30 @@ void merge_topology(std::vector<ReceivedFacets>& parts, FacetBatch& batch)
             const auto at = std::lower_bound(batch.node_ids.begin(), batch.node_ids.end(), id);
             part.place.push_back(static_cast<int>(at - batch.node_ids.begin()));
         }
+        part.in_order = part.node_ids == batch.node_ids;
     }
     batch.facet_ids.clear();
     batch.facet_nodes.clear();
-    batch.facet_owner.clear();
+    for (auto& part : parts) part.batch_facet.resize(part.facet_ids.size());
     for (const FacetPlace& facet : sorted_facets(parts)) {
-        const auto& part = parts[static_cast<std::size_t>(facet.part)];
+        auto& part = parts[static_cast<std::size_t>(facet.part)];
         std::array<int, 4> nodes = part.facet_nodes[static_cast<std::size_t>(facet.index)];
         for (int& node : nodes)
             if (node >= 0) node = part.place[static_cast<std::size_t>(node)];
+        part.batch_facet[static_cast<std::size_t>(facet.index)] = static_cast<int>(batch.facet_ids.size());
         batch.facet_ids.push_back(facet.id);
         batch.facet_nodes.push_back(nodes);
-        batch.facet_owner.push_back(facet.part);
     }
     const std::size_t values = batch.node_ids.size() * static_cast<std::size_t>(batch.dimension);
     for (auto* column : {&batch.motion.position, &batch.motion.velocity, &batch.motion.acceleration})
         column->resize(values);
 }
 
-void merge_motion(const ReceivedFacets& part, PacketReader& packet, std::vector<double>& scratch, FacetBatch& batch)
+void merge_motion(const ReceivedFacets& part, PacketReader& packet, FacetBatch& batch)
 {
-    take_nodes(packet, part.place, batch.dimension, scratch, batch.motion.position);
-    take_nodes(packet, part.place, batch.dimension, scratch, batch.motion.velocity);
-    take_nodes(packet, part.place, batch.dimension, scratch, batch.motion.acceleration);
+    for (auto* values : {&batch.motion.position, &batch.motion.velocity, &batch.motion.acceleration})
+        batch.dimension == 2 ? take_nodes<2>(packet, part.place, part.in_order, *values)
+                             : take_nodes<3>(packet, part.place, part.in_order, *values);
 }
 
 } // namespace coupler

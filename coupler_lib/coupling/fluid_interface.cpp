@@ -25,7 +25,8 @@ struct FluidInterface::Parts {
           settings(std::move(settings_)),
           own_name(participant_.name_of(participant_.world_rank())),
           exchange(participant_, solid_ranks(participant_, settings.partner), Field::load),
-          received(exchange.size())
+          received(exchange.size()),
+          load_writer(participant_.comm().size() == 1)
     {
         batch.dimension = dimension;
         base::require_input(exchange.size() > 0, "no rank of '", settings.partner, "' takes part in this run");
@@ -38,7 +39,7 @@ struct FluidInterface::Parts {
     std::string own_name;
     PacketExchange exchange;
     std::vector<ReceivedFacets> received; ///< by solid rank
-    std::vector<double> scratch;
+    LoadWriter load_writer;
     FacetBatch batch;
     Window window;
     bool stop_agreed = false;
@@ -56,7 +57,10 @@ void FluidInterface::send(const Window& window, const RegionBox& my_region, cons
     Parts& my = *parts_;
     my.participant.set_clock(window.step, window.time);
     check_load_sizes(loads, used, my.settings.load);
-    check_loads(used, loads, my.settings.pressure_limit, my.own_name);
+    base::require_input((loads.corner_force.empty() && loads.weight.empty()) ||
+                            used.facet_ids.size() == my.batch.facet_ids.size(),
+                        my.own_name, ": the load belongs to ", used.facet_ids.size(), " facets, but the solid sent ",
+                        my.batch.facet_ids.size(), " last");
     PacketHeader header;
     header.step = window.step;
     header.time = window.time;
@@ -71,9 +75,10 @@ void FluidInterface::send(const Window& window, const RegionBox& my_region, cons
         packet.put(report);
         packet.put(my_region);
         packet.put(my.settings.impedance);
-        write_loads(used, loads, static_cast<int>(solid), mine, packet);
+        my.load_writer.write(my.received[solid], loads, my.batch.dimension, mine, packet);
         my.exchange.send(solid, mine);
     }
+    check_loads(used, loads, my.settings.pressure_limit, my.own_name); // while the solid works
     my.window = window;
 }
 
@@ -115,7 +120,7 @@ const FacetBatch& FluidInterface::receive(SolidReport& solid)
     if (my.stop_agreed) my.participant.request_stop(); // now every rank knows
     if (my.take_topology(packets)) merge_topology(my.received, my.batch);
     for (std::size_t peer = 0; peer < packets.size(); ++peer) {
-        merge_motion(my.received[peer], packets[peer], my.scratch, my.batch);
+        merge_motion(my.received[peer], packets[peer], my.batch);
         packets[peer].finish();
     }
     return my.batch;

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/coupling/load_packet.hpp"
 
-#include "coupler_lib/coupling/checksum.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace coupler {
 namespace {
 
-std::size_t corners_that_travel(int dimension) { return dimension == 2 ? 2 : 4; }
-
-/// Whether any term of the facet is not zero.
-bool is_loaded(const FacetLoads& loads, std::size_t facet, std::size_t dimension)
+template<class T> T item_at(const char* items, std::size_t index)
 {
-    const base::ReproducibleSum nothing;
-    if (!loads.weight.empty() && !(loads.weight[facet] == nothing)) return true;
-    if (loads.corner_force.empty()) return false;
-    const auto* first = &loads.corner_force[4 * facet * dimension];
-    return std::any_of(first, first + 4 * dimension, [&nothing](const auto& sum) { return !(sum == nothing); });
+    T item;
+    std::memcpy(&item, items + index * sizeof(T), sizeof(T));
+    return item;
 }
+
+template<class Sum> void zero(std::vector<Sum>& items) { std::fill(items.begin(), items.end(), Sum()); }
 
 } // namespace
 
@@ -41,95 +38,118 @@ void check_load_sizes(const FacetLoads& loads, const FacetBatch& used, LoadKind 
                         " load, but the fluid sends only the other one");
 }
 
-void write_loads(const FacetBatch& used, const FacetLoads& loads, int owner, PacketHeader& header, PacketWriter& packet)
+/// Nodal sums over the corners of this part's facets.
+template<int D> void LoadWriter::add_corners(const ReceivedFacets& part, const FacetLoads& loads)
 {
-    const auto dimension = static_cast<std::size_t>(used.dimension);
-    const std::size_t corners = corners_that_travel(used.dimension);
-    const bool any = !loads.corner_force.empty() || !loads.weight.empty();
-    std::vector<std::size_t> loaded;
-    for (std::size_t facet = 0; any && facet < used.facet_ids.size(); ++facet)
-        if (used.facet_owner[facet] == owner && is_loaded(loads, facet, dimension)) loaded.push_back(facet);
-    header.facets = static_cast<std::int64_t>(loaded.size());
-    for (const std::size_t facet : loaded) packet.put(used.facet_ids[facet]);
-    if (!loads.corner_force.empty()) {
-        header.flags |= with_force;
-        for (const std::size_t facet : loaded)
-            packet.put(&loads.corner_force[4 * facet * dimension], corners * dimension);
-    }
-    if (!loads.weight.empty()) {
-        header.flags |= with_pressure;
-        for (const std::size_t facet : loaded) packet.put(loads.weight[facet]);
-        for (const std::size_t facet : loaded) packet.put(loads.weighted_pressure[facet]);
-        for (const std::size_t facet : loaded) packet.put(loads.full_weight[facet]);
+    constexpr std::size_t corners = D == 2 ? 2 : 4;
+    sums_.assign(part.node_ids.size() * D, {});
+    for (std::size_t k = 0; k < part.facet_nodes.size(); ++k) {
+        const auto* force = &loads.corner_force[4 * D * static_cast<std::size_t>(part.batch_facet[k])];
+        for (std::size_t corner = 0; corner < corners && part.facet_nodes[k][corner] >= 0; ++corner)
+            for (std::size_t d = 0; d < D; ++d)
+                sums_[static_cast<std::size_t>(part.facet_nodes[k][corner]) * D + d] += force[corner * D + d];
     }
 }
 
-LoadSum::LoadSum(const WetSurface& surface, const std::vector<int>& order)
+void LoadWriter::put_force(const ReceivedFacets& part, const FacetLoads& loads, int dimension, PacketWriter& packet)
+{
+    dimension == 2 ? add_corners<2>(part, loads) : add_corners<3>(part, loads);
+    if (!only_rank_) return packet.put(sums_);
+    char* to = packet.room(sums_.size() * sizeof(double));
+    for (const auto& sum : sums_) {
+        const double force = sum.value();
+        std::memcpy(to, &force, sizeof(double));
+        to += sizeof(double);
+    }
+}
+
+void LoadWriter::write(const ReceivedFacets& part, const FacetLoads& loads, int dimension, PacketHeader& header,
+                       PacketWriter& packet)
+{
+    header.facets = static_cast<std::int64_t>(part.facet_ids.size());
+    header.nodes = static_cast<std::int64_t>(part.node_ids.size());
+    if (!loads.corner_force.empty()) {
+        header.flags |= only_rank_ ? with_force | force_is_whole : with_force;
+        put_force(part, loads, dimension, packet);
+    }
+    if (loads.weight.empty()) return;
+    header.flags |= with_pressure;
+    for (const int facet : part.batch_facet) packet.put(loads.weight[static_cast<std::size_t>(facet)]);
+    for (const int facet : part.batch_facet) packet.put(loads.weighted_pressure[static_cast<std::size_t>(facet)]);
+    for (const int facet : part.batch_facet) packet.put(loads.full_weight[static_cast<std::size_t>(facet)]);
+}
+
+LoadSum::LoadSum(const WetSurface& surface)
     : dimension_(surface.dimension),
-      corners_(corners_that_travel(surface.dimension)),
-      order_(order),
-      facet_nodes_(surface.facet_nodes),
+      whole_force_(surface.reference.size()),
       force_(surface.reference.size()),
       weight_(surface.facet_ids.size()),
       weighted_pressure_(surface.facet_ids.size()),
       full_weight_(surface.facet_ids.size())
-{
-    for (const int facet : order) sorted_ids_.push_back(surface.facet_ids[static_cast<std::size_t>(facet)]);
-}
+{}
 
 void LoadSum::clear()
 {
-    std::fill(force_.begin(), force_.end(), base::ReproducibleSum());
-    std::fill(weight_.begin(), weight_.end(), base::ReproducibleSum());
-    std::fill(weighted_pressure_.begin(), weighted_pressure_.end(), base::ReproducibleSum());
-    std::fill(full_weight_.begin(), full_weight_.end(), 0.0);
-    has_force_ = has_pressure_ = false;
-}
-
-/// Index of the facet with this id; ids come in ascending order, so that the search goes on from the last one.
-std::size_t LoadSum::find(std::int64_t id, std::size_t& hint, const std::string& who) const
-{
-    while (hint < sorted_ids_.size() && sorted_ids_[hint] < id) ++hint;
-    base::require_input(hint < sorted_ids_.size() && sorted_ids_[hint] == id, who, " sent a load for wet facet ", id,
-                        ", which is not one of the ", sorted_ids_.size(), " facets of this rank");
-    return static_cast<std::size_t>(order_[hint]);
-}
-
-void LoadSum::add(PacketReader& packet, const std::string& who)
-{
-    const auto count = static_cast<std::size_t>(packet.header().facets);
-    const auto dimension = static_cast<std::size_t>(dimension_);
-    packet.take(ids_, count);
-    if (packet.header().has(with_force)) {
-        has_force_ = true;
-        packet.take(sums_, count * corners_ * dimension);
-        std::size_t hint = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto& nodes = facet_nodes_[find(ids_[k], hint, who)];
-            for (std::size_t corner = 0; corner < corners_ && nodes[corner] >= 0; ++corner)
-                for (std::size_t d = 0; d < dimension; ++d)
-                    force_[static_cast<std::size_t>(nodes[corner]) * dimension + d] +=
-                        sums_[(k * corners_ + corner) * dimension + d];
-        }
+    zero(whole_force_);
+    if (has_sums_) zero(force_);
+    if (has_pressure_) {
+        zero(weight_);
+        zero(weighted_pressure_);
+        zero(full_weight_);
     }
-    if (!packet.header().has(with_pressure)) return;
+    has_sums_ = has_pressure_ = false;
+}
+
+void LoadSum::add(PacketReader& packet, const FacetRoute& given, const std::string& who)
+{
+    const PacketHeader& header = packet.header();
+    if (!header.has(with_force) && !header.has(with_pressure)) return; // nothing to load, or the greeting
+    base::require_input(static_cast<std::size_t>(header.nodes) == given.nodes().size() &&
+                            static_cast<std::size_t>(header.facets) == given.facets().size(),
+                        who, " sent a load on ", header.facets, " facets and ", header.nodes, " nodes, but was given ",
+                        given.facets().size(), " facets and ", given.nodes().size(),
+                        " nodes: the two sides have lost step with each other");
+    if (header.has(with_force)) dimension_ == 2 ? add_force<2>(packet, given) : add_force<3>(packet, given);
+    if (header.has(with_pressure)) add_pressure(packet, given);
+}
+
+template<int D> void LoadSum::add_force(PacketReader& packet, const FacetRoute& given)
+{
+    const auto& nodes = given.nodes();
+    if (packet.header().has(force_is_whole)) {
+        const char* from = packet.view(nodes.size(), D * sizeof(double));
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            std::memcpy(&whole_force_[static_cast<std::size_t>(nodes[k]) * D], from + k * D * sizeof(double),
+                        D * sizeof(double));
+        return;
+    }
+    has_sums_ = true;
+    const char* from = packet.view(nodes.size(), D * sizeof(base::ReproducibleSum));
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        for (std::size_t d = 0; d < D; ++d)
+            force_[static_cast<std::size_t>(nodes[k]) * D + d] += item_at<base::ReproducibleSum>(from, k * D + d);
+}
+
+void LoadSum::add_pressure(PacketReader& packet, const FacetRoute& given)
+{
     has_pressure_ = true;
-    packet.take(sums_, count);
-    packet.take(more_sums_, count);
-    packet.take(numbers_, count);
-    std::size_t hint = 0;
+    const std::size_t count = given.facets().size();
+    const char* weights = packet.view(count, sizeof(base::ReproducibleSum));
+    const char* pressures = packet.view(count, sizeof(base::ReproducibleSum));
+    const char* full = packet.view(count, sizeof(double));
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t facet = find(ids_[k], hint, who);
-        weight_[facet] += sums_[k];
-        weighted_pressure_[facet] += more_sums_[k];
-        full_weight_[facet] = std::max(full_weight_[facet], numbers_[k]);
+        const auto facet = static_cast<std::size_t>(given.facets()[k]);
+        weight_[facet] += item_at<base::ReproducibleSum>(weights, k);
+        weighted_pressure_[facet] += item_at<base::ReproducibleSum>(pressures, k);
+        full_weight_[facet] = std::max(full_weight_[facet], item_at<double>(full, k));
     }
 }
 
 void LoadSum::write_force(std::vector<double>& force) const
 {
-    force.resize(force_.size());
-    std::transform(force_.begin(), force_.end(), force.begin(), [](const auto& sum) { return sum.value(); });
+    force = whole_force_;
+    if (has_sums_)
+        std::transform(force_.begin(), force_.end(), force.begin(), [](const auto& sum) { return sum.value(); });
 }
 
 void LoadSum::write_pressure(std::vector<double>& pressure, double coverage_limit) const
@@ -140,13 +160,6 @@ void LoadSum::write_pressure(std::vector<double>& pressure, double coverage_limi
         if (weight > 0 && weight >= coverage_limit * full_weight_[facet])
             pressure[facet] = weighted_pressure_[facet].value() / weight;
     }
-}
-
-std::uint64_t LoadSum::fingerprint() const
-{
-    const auto of = [](const auto& items) { return checksum(items.data(), items.size() * sizeof(items[0])); };
-    const std::uint64_t parts[] = {of(force_), of(weight_), of(weighted_pressure_), of(full_weight_)};
-    return checksum(parts, sizeof(parts));
 }
 
 } // namespace coupler

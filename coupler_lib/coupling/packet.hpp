@@ -19,8 +19,9 @@ enum PacketFlag : std::uint32_t {
     window_stops = 2,         ///< Window::stop_requested: agreed on
     sender_asked_to_stop = 4, ///< the sender knows of a request to stop (solid: also of any fluid rank's)
     with_topology = 8,        ///< motion: ids and connectivity travel too
-    with_force = 16,          ///< load: conservative corner forces
-    with_pressure = 32        ///< load: averaged sums
+    with_force = 16,          ///< load: conservative nodal forces
+    with_pressure = 32,       ///< load: averaged sums
+    force_is_whole = 64       ///< load: doubles, from the only rank of the fluid; otherwise exact sums to be added up
 };
 
 /// Leads every packet; what follows it is `bytes` long.
@@ -33,8 +34,8 @@ struct PacketHeader {
     double dt = 0;   ///< [s]
     std::int32_t dimension = 0;
     std::uint32_t flags = 0; ///< PacketFlag
-    std::int64_t facets = 0; ///< count in this packet
-    std::int64_t nodes = 0;  ///< count in this packet (motion)
+    std::int64_t facets = 0; ///< count that this packet is about
+    std::int64_t nodes = 0;  ///< count that this packet is about
     std::int64_t bytes = 0;  ///< behind the header
     std::uint64_t check = 0; ///< checksum over the header with check = 0, and the body
 
@@ -54,10 +55,14 @@ public:
     template<class T> void put(const T* items, std::size_t count)
     {
         static_assert(std::is_trivially_copyable_v<T>);
-        if (count == 0) return;
+        if (count > 0) std::memcpy(room(count * sizeof(T)), static_cast<const void*>(items), count * sizeof(T));
+    }
+    /// Appends so many bytes, to be filled in by the caller before the next call.
+    char* room(std::size_t bytes)
+    {
         const std::size_t at = used_;
-        grow(at, count * sizeof(T));
-        std::memcpy(buffer_.data() + at, static_cast<const void*>(items), count * sizeof(T));
+        grow(at, bytes);
+        return buffer_.data() + at;
     }
     /// Puts the header in front, with magic, length and checksum filled in.
     void finish(PacketHeader header);
@@ -93,9 +98,15 @@ public:
     template<class T> void take(T* items, std::size_t count)
     {
         static_assert(std::is_trivially_copyable_v<T>);
-        need(count, sizeof(T));
-        if (count > 0) std::memcpy(static_cast<void*>(items), buffer_.data() + at_, count * sizeof(T));
-        at_ += count * sizeof(T);
+        const char* from = view(count, sizeof(T));
+        if (count > 0) std::memcpy(static_cast<void*>(items), from, count * sizeof(T));
+    }
+    /// The next items where they lie; valid as long as the buffer.
+    const char* view(std::size_t count, std::size_t bytes_each)
+    {
+        need(count, bytes_each);
+        at_ += count * bytes_each;
+        return buffer_.data() + at_ - count * bytes_each;
     }
     /// Throws when bytes are left over.
     void finish() const;

@@ -66,7 +66,7 @@ struct SolidInterface::Parts {
           exchange(participant_, fluid_ranks(participant_, settings.partner), Field::motion),
           routes(exchange.size()),
           regions(exchange.size()),
-          sum(surface, order),
+          sum(surface),
           guard(surface, settings.motion_jump_limit),
           wall_velocity(surface.reference.size(), 0.0)
     {
@@ -111,6 +111,7 @@ PacketHeader SolidInterface::Parts::expected_header(const PacketHeader& first) c
 /// vbar = V + A dt/2: the mean velocity of the walls during the fluid step that starts with this motion.
 void SolidInterface::Parts::remember_wall_velocity(const SurfaceMotion& motion)
 {
+    wall_velocity.resize(motion.velocity.size());
     for (std::size_t k = 0; k < wall_velocity.size(); ++k)
         wall_velocity[k] = motion.velocity[k] + 0.5 * window.dt * motion.acceleration[k];
 }
@@ -137,12 +138,10 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
         packet.take(report);
         packet.take(my.regions[peer]);
         packet.take(load.impedance);
-        my.sum.add(packet, my.exchange.name(peer));
+        my.sum.add(packet, my.routes[peer], my.exchange.name(peer));
         packet.finish();
         if (peer == 0) fluid = report;
     }
-    const std::uint64_t so_far[] = {my.loads_fingerprint, my.sum.fingerprint()};
-    my.loads_fingerprint = checksum(so_far, sizeof(so_far));
     my.begun = true;
     my.window = {first.step, first.time, first.dt, first.has(window_is_last), first.has(window_stops)};
     if (my.window.stop_requested) my.participant.request_stop(); // now every rank knows
@@ -153,7 +152,11 @@ Window SolidInterface::receive(SurfaceLoad& load, FluidReport& fluid)
         my.sum.write_force(load.force);
     else
         my.sum.write_pressure(load.pressure, my.settings.coverage_limit);
-    load.wall_velocity = my.wall_velocity;
+    load.wall_velocity.swap(my.wall_velocity); // written anew by the next `send`
+    const std::uint64_t so_far[] = {my.loads_fingerprint,
+                                    checksum(load.force.data(), load.force.size() * sizeof(double)),
+                                    checksum(load.pressure.data(), load.pressure.size() * sizeof(double))};
+    my.loads_fingerprint = checksum(so_far, sizeof(so_far));
     return my.window;
 }
 
@@ -167,11 +170,12 @@ void SolidInterface::send(const SurfaceMotion& motion, const SolidReport& report
     header.dt = my.window.dt;
     header.dimension = my.surface.dimension;
     if (my.fluid_asks_to_stop || my.participant.stop_requested()) header.flags |= sender_asked_to_stop;
+    const RegionBox all = box_around(motion.position, my.surface.dimension);
     for (std::size_t fluid = 0; fluid < my.exchange.size(); ++fluid) {
         PacketHeader mine = header;
         PacketWriter& packet = my.exchange.outgoing(fluid);
         packet.put(report);
-        const bool changed = my.routes[fluid].choose(my.surface, my.order, motion, my.regions[fluid]);
+        const bool changed = my.routes[fluid].choose(my.surface, my.order, motion, all, my.regions[fluid]);
         my.routes[fluid].write(my.surface, motion, changed, mine, packet);
         my.exchange.send(fluid, mine);
     }

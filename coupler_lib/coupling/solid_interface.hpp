@@ -47,7 +47,7 @@ public:
     /// last `send`, naming node, position and rank.
     void send(const SurfaceMotion& motion, const SolidReport& report);
 
-    [[nodiscard]] const WetSurface& surface() const;   ///< as registered
+    [[nodiscard]] const WetSurface& surface() const; ///< as registered
     /// Fingerprint of all loads received so far, this rank, 16 hexadecimal digits: every bit of every sum, in order.
     /// The same whatever the number of fluid ranks that sent them.
     [[nodiscard]] std::string loads_hash() const;

@@ -97,7 +97,6 @@ struct FacetBatch {
     std::vector<std::int64_t> node_ids;          ///< [nodes], ascending
     std::vector<std::int64_t> facet_ids;         ///< [facets], ascending
     std::vector<std::array<int, 4>> facet_nodes; ///< indices into the node arrays, -1 where unused, [facets]
-    std::vector<int> facet_owner;                ///< index of the owning rank among the solid's ranks, [facets]
     SurfaceMotion motion;                        ///< [nodes * dimension] each
 };
 

@@ -3,6 +3,7 @@
 #include "coupler_lib/foundation/check.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace base {
 
@@ -27,14 +28,29 @@ public:
         return *this;
     }
 
-    double value() const { return static_cast<double>(units_) / per_unit_; }
+    /// The sum as a double; depends on nothing but the sum, and is exact where a double can hold it.
+    double value() const
+    {
+        const bool negative = units_ < 0;
+        const auto magnitude = static_cast<unsigned __int128>(negative ? -units_ : units_);
+        const double high = static_cast<double>(static_cast<std::int64_t>(magnitude >> 64)) * 0x1p-16;
+        const double low = static_cast<double>(static_cast<std::uint64_t>(magnitude)) * 0x1p-80;
+        return negative ? -(high + low) : high + low;
+    }
+
+    /// |value()| in whole multiples of 2^-16, rounded down; cheaper, for guards.
+    std::int64_t coarse_magnitude() const
+    {
+        const auto high = static_cast<std::int64_t>(units_ >> 64);
+        return high < 0 ? ~high : high;
+    }
 
     friend bool operator==(const ReproducibleSum&, const ReproducibleSum&) = default;
 
 private:
-    static constexpr double per_unit_ = 1208925819614629174706176.0;  // 2^80
-    static constexpr double limit_ = 35184372088832.0;                // 2^45
+    static constexpr double per_unit_ = 1208925819614629174706176.0; // 2^80
+    static constexpr double limit_ = 35184372088832.0;               // 2^45
     __int128 units_ = 0;
 };
 
-}  // namespace base
+} // namespace base

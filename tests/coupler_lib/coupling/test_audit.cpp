@@ -118,7 +118,7 @@ TEST(MotionGuard, StopsAJumpButNotAStep)
 TEST(LoadGuard, NamesTheFacetBeyondTheLimit)
 {
     const auto surface = bar();
-    coupler::FacetBatch batch{2, surface.node_ids, surface.facet_ids, surface.facet_nodes, {0, 0}, at_rest()};
+    coupler::FacetBatch batch{2, surface.node_ids, surface.facet_ids, surface.facet_nodes, at_rest()};
     coupler::FacetLoads loads;
     loads.corner_force.resize(2 * 4 * 2);
     loads.corner_force[(4 + 1) * 2 + 1].add(-1001.0); // facet 6, second corner, y

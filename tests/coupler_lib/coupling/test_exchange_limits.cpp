@@ -164,7 +164,7 @@ TEST(Refusals, AnotherDimensionIsNoticedAtTheGreeting)
         coupler::Participant me(settings_for(fluid_ranks));
         if (me.role() == "fluid") {
             coupler::FluidInterface wet(me, {}, 3);
-            wet.send({-1, 0, 0}, slice(-9, 9), {}, {3, {}, {}, {}, {}, {}}, {});
+            wet.send({-1, 0, 0}, slice(-9, 9), {}, {3, {}, {}, {}, {}}, {});
         } else {
             coupler::SolidInterface wet(me, {}, my_part(me));
             coupler::SurfaceLoad load;

@@ -16,7 +16,6 @@ FacetBatch wall(double velocity, double acceleration)
     batch.node_ids = {0, 1, 2};
     batch.facet_ids = {0, 1};
     batch.facet_nodes = {{0, 1, -1, -1}, {1, 2, -1, -1}};
-    batch.facet_owner = {0, 0};
     batch.motion = {{0, 0, 0, 1, 0, 2},
                     {velocity, 0, velocity, 0, velocity, 0},
                     {acceleration, 0, acceleration, 0, acceleration, 0}};

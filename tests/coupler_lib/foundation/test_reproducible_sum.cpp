@@ -68,4 +68,17 @@ TEST(ReproducibleSum, DoesNotDependOnTheRanks)
     EXPECT_EQ(world.total(std::vector{mine, mine})[1], sum_of(terms));
 }
 
+TEST(ReproducibleSum, GivesBackWhatADoubleHolds)
+{
+    for (const double value : {1.0, -1.0, 0x1p-80, -0x1p-80, 3.0 * 0x1p-79, -5e-20, 0.1, -0.1, 1e9 + 0x1p-20, -1e13,
+                               -(1.0 + 0x1p-52), 0x1p-16 - 0x1p-69, -0x1p-16}) {
+        base::ReproducibleSum sum;
+        sum.add(value);
+        const double kept = std::ldexp(std::trunc(std::ldexp(value, 80)), -80); // the quantum is 2^-80
+        EXPECT_EQ(sum.value(), kept) << value;
+        EXPECT_LE(static_cast<double>(sum.coarse_magnitude()) * 0x1p-16, std::abs(value));
+        EXPECT_GE((static_cast<double>(sum.coarse_magnitude()) + 1) * 0x1p-16, std::abs(value));
+    }
+}
+
 }  // namespace
