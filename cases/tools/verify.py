@@ -3,7 +3,7 @@
 
 usage: verify.py [CASE ...] [--programs BIN_FOLDER] [--run NAME ...] [--json FILE] [--out FOLDER] [--keep-page] [--test] [--page]
 
-Nothing is cached: every run is made anew, under runs/verify. Without a case: all of them. `--run` makes only the runs of that
+Nothing is cached: every run is made anew, under runs/verify. Without a case: all of them; a group's name (`solid`) stands for its cases. `--run` makes only the runs of that
 name; `--test` the small siblings alone, for ctest; `--page` runs nothing and renews the page, with the causes of misses as they
 stand in expect.toml now. Ends with 1 when a judged figure misses, 2 for bad input.
 """
@@ -20,10 +20,10 @@ from check_expectations import line
 from convergence import check_convergence, spacing
 from energy import write_energy_total
 from expectations import Finding, check, is_meant
-from launch import run as launch
+from launch import run as launch, run_tests as launch_tests
 from run_folder import RunFolder
 from verify_page import write_page
-from verify_plan import PlannedRun, find_cases, plan, title
+from verify_plan import PlannedRun, find_cases, group_of, plan, title
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -32,7 +32,10 @@ def made(planned: PlannedRun, programs: Path, out: Path) -> tuple[RunFolder, dic
     """Makes a run in a fresh folder; returns it with what every record of it carries."""
     shutil.rmtree(out, ignore_errors=True)
     start = time.monotonic()
-    code = launch(planned.folder, programs, out, planned.ranks, planned.settings, timeout=None)
+    if planned.test_program:
+        code = launch_tests(programs.parent / "tests/bin" / planned.test_program, planned.filter, out)
+    else:
+        code = launch(planned.folder, programs, out, planned.ranks, planned.settings, timeout=None)
     run = RunFolder(out)
     write_energy_total(run)
     facts = {"run": planned.name, "wall_s": round(time.monotonic() - start, 1), "exit_code": code}
@@ -69,11 +72,12 @@ def is_awaited(planned: PlannedRun) -> bool:
 def verify_case(folder: Path, chosen, arguments) -> list[dict]:
     """Makes the runs of one case and prints a line a figure; the records of all its figures."""
     records, runs = [], {}
+    group = {"group": group_of(folder)} if group_of(folder) else {}
 
     def take(findings: list[Finding], facts: dict) -> None:
         for finding in findings:
             print(line(finding), flush=True)
-            records.append(finding.as_record() | facts)
+            records.append(finding.as_record() | facts | group)
 
     for planned in chosen:
         out = arguments.out / title(folder) / re.sub(r"[^\w.+-]+", "_", planned.name)

@@ -71,7 +71,11 @@ def page(records: list[dict]) -> str:
     lines += ["", "### Over resolutions", "", *table(("case", "quantity", "figures", "lowest", "reference", "", "source"),
                                                      [convergence_row(record) for record in over_runs])]
     single = [record for record in records if record.get("run") != "all"]
-    lines += ["", "### Single runs", "", *table(HEADER, [figure_row(record) for record in single])]
+    for group in sorted({record.get("group", "") for record in single} - {""}):
+        lines += ["", f"### Cases of `./rivage verify {group}`", ""]
+        lines += table(HEADER, [figure_row(record) for record in single if record.get("group") == group])
+    lines += ["", "### Single runs", ""]
+    lines += table(HEADER, [figure_row(record) for record in single if not record.get("group")])
     return "\n".join(lines)
 
 

@@ -35,7 +35,9 @@ base::Table<LoadConfig> load_table()
              {.unit = "-",
               .doc = "of the load, a formula of the time t [s]; springs have none. Static: t is the load factor, by "
                      "which the load is multiplied as well"})
-        .key("pressure", &LoadConfig::pressure, {.unit = "Pa", .doc = "uniform pressure"})
+        .key("pressure", &LoadConfig::pressure,
+             {.unit = "Pa",
+              .doc = "pressure, a number or a formula of the reference position x, y, z [m]; distribution uniform"})
         .key("distribution", &LoadConfig::distribution,
              {.doc = "of a pressure. hydrostatic: density gravity (level - Y) below the level, Y the reference height "
                      "(y in "

@@ -23,7 +23,7 @@ struct LoadConfig {
     std::string kind;
     std::string group;
     base::Formula factor{"1"};
-    double pressure = 0;
+    base::Formula pressure{"0"};
     std::string distribution = "uniform";
     double density = 0;
     double level = 0;

@@ -11,7 +11,10 @@ namespace {
 
 PressureField pressure_field(const LoadConfig& load, int dimension)
 {
-    if (load.distribution == "uniform") return [p = load.pressure](const double*) { return p; };
+    if (load.distribution == "uniform") {
+        auto formula = std::make_shared<base::Expression>(load.pressure, std::vector<std::string>{"x", "y", "z"});
+        return [=](const double* x) { return (*formula)({x[0], x[1], dimension == 3 ? x[2] : 0.0}); };
+    }
     return [=](const double* x) { return load.density * load.gravity * std::max(load.level - x[dimension - 1], 0.0); };
 }
 

@@ -7,7 +7,7 @@ function(rivage_coupled_test name)
     set_tests_properties(coupled_${name} PROPERTIES LABELS coupled PROCESSORS 2 TIMEOUT 900)
 endfunction()
 
-foreach(case gate_static piston_column elastic_gate_small)
+foreach(case gate_static gate_sudden piston_column elastic_gate_small)
     rivage_coupled_test(${case} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/${case} --programs ${RIVAGE_PROGRAMS})
 endforeach()
 foreach(load conservative averaged)

@@ -17,6 +17,7 @@ sys.path.insert(0, str(ROOT / "cases" / "tools"))
 from check_expectations import line  # noqa: E402
 from convergence import followed, rates  # noqa: E402
 from expectations import Finding, check  # noqa: E402
+from launch import run_tests  # noqa: E402
 from run_folder import RunFolder  # noqa: E402
 from verify_page import BEGIN, END, write_page  # noqa: E402
 from verify_plan import CASES, find_cases, plan, title  # noqa: E402
@@ -72,6 +73,23 @@ class Plan(Scratch):
         write(self.path / "verify.toml", '[[run]]\nname = "fine"\nsets = []\n')
         with self.assertRaisesRegex(ValueError, "sets"):
             plan(self.path)
+
+    def test_a_group_stands_for_its_cases(self):
+        names = [title(folder) for folder in find_cases(["solid"])]
+        self.assertIn("gate_static", names)
+        self.assertIn("solid_tests", names)
+        self.assertNotIn("dam_break", names)
+
+    def test_a_run_may_be_tests_of_a_test_program(self):
+        write(self.path / "verify.toml", '[[run]]\nname = "t"\ntest_program = "test_x"\nfilter = "A.*"\n')
+        (run,) = plan(self.path)
+        self.assertEqual((run.test_program, run.filter, run.as_it_stands), ("test_x", "A.*", False))
+        program = self.path / "test_x"
+        write(program, '#!/bin/sh\nout=${2#*json:}\n'
+              """echo '{"testsuites":[{"testsuite":[{"name":"a","figure_e":"1e-3"},{"name":"b","figure_e":"-2e-3"}]}]}' > "$out"\n""")
+        program.chmod(0o755)
+        self.assertEqual(run_tests(program, run.filter, self.path / "out"), 0)
+        self.assertEqual(RunFolder(self.path / "out").summary()["recorded"], {"figure_e": -2e-3})  # the worst of both
 
 
 class Convergence(Scratch):
