@@ -47,6 +47,7 @@ template<int D> struct PackedSums {
             result.density[a] = rho0 * total[ratio + static_cast<std::size_t>(a)];
         }
         result.fluid_divergence = result.divergence();
+        result.fluid_fill = result.moment.trace() / D;
     }
 };
 
@@ -89,7 +90,10 @@ void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientFi
         rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
-        if (eigenvalues_exceed<D>(sum.moment, least_eigenvalue)) {
+        if (sum.fluid_fill < thread_fill) {
+            particles.density_gradient[i].setZero();
+            particles.velocity_gradient[i].setZero();
+        } else if (eigenvalues_exceed<D>(sum.moment, least_eigenvalue)) {
             const Mat<D> inverse = sum.moment.inverse();
             particles.density_gradient[i] = inverse * sum.density;
             particles.velocity_gradient[i] = sum.velocity * inverse;

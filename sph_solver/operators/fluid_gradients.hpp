@@ -22,7 +22,8 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 
 /// Gradients of owned particles and the rate of their volumes from the complete sums:
 ///
-///     grad f = G[f] M^-1  where the smallest eigenvalue of M exceeds 0.2, else G[f]
+///     grad f = 0          in drops and threads of a particle's thickness (fluid_fill below 1/3),
+///              G[f] M^-1  elsewhere where the smallest eigenvalue of M exceeds 0.2,  else G[f]
 ///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close; with renormalised
 ///                         pair areas, pass 2 adds what the fluid's pairs are off)
 template<int D>
@@ -31,6 +32,10 @@ void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientFi
 
 /// M may be inverted where its smallest eigenvalue exceeds this.
 inline constexpr double least_eigenvalue = 0.2;
+
+/// Fewer neighbours than this make no gradient: what a few particles do among themselves is linear in space to the last
+/// digit, so it would not be damped, and an explicit step of second order feeds it (docs/theory/fluid.md).
+inline constexpr double thread_fill = 1.0 / 3.0;
 
 /// True where all eigenvalues of a symmetric matrix exceed a limit (by the minors of M - limit I).
 template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit);

@@ -18,6 +18,7 @@ template<int D> struct GradientSums {
     Mat<D> velocity = Mat<D>::Zero(); ///< G[v], rows are the components of v [1/s]
     Vec<D> density = Vec<D>::Zero();  ///< G[rho] [kg/m^4]
     double fluid_divergence = 0;      ///< tr G[v] over the fluid pairs alone [1/s]
+    double fluid_fill = 0; ///< tr M/D over the fluid pairs alone: 1 deep in the water, 0 for a lone particle [-]
 
     /// Raw divergence over all that has been summed [1/s].
     double divergence() const { return velocity.trace(); }

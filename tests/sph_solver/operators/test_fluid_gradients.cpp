@@ -53,6 +53,7 @@ template<int D> void expect_linear_fields_exact()
     const LinearFlow<D> flow(density_slope, velocity_slope);
     std::size_t inverted = 0;
     for (std::size_t i = 0; i < flow.particles.size(); ++i) {
+        if (flow.sums[i].fluid_fill < thread_fill) continue;
         if (!eigenvalues_exceed<D>(flow.sums[i].moment, least_eigenvalue)) continue;
         ++inverted;
         EXPECT_LT((flow.particles.density_gradient[i] - density_slope).norm(), 1e-7) << i;
@@ -94,21 +95,37 @@ TEST(FluidGradients, FullNeighbourhoodHasTheUnitMoment)
     EXPECT_LT((flow.sums[centre].moment - Mat<2>::Identity()).norm(), 0.1);
 }
 
-TEST(FluidGradients, UseTheRawSumsWhereTheMomentIsPoor)
+/// Four particles in shear, with sums of the first that are given.
+Mat<2> gradient_of_four(double eigenvalue, double fill, GradientSums<2>& sum)
 {
-    Particles<2> pair =
-        sample::jittered_lattice<2>(2, dx, 0.0, 1000.0); // M of a corner of four has eigenvalues below 0.2
-    for (std::size_t i = 0; i < 4; ++i) pair.momentum[i][0] = pair.mass[i] * static_cast<double>(i);
-    update_derived(pair, model<2>().eos);
+    Particles<2> four = sample::jittered_lattice<2>(2, dx, 0.0, 1000.0);
+    for (std::size_t i = 0; i < 4; ++i) four.momentum[i][0] = four.mass[i] * static_cast<double>(i);
+    update_derived(four, model<2>().eos);
     PairRecords<2> records;
-    records.load_states(pair, model<2>().eos, pair.owned);
+    records.load_states(four, model<2>().eos, four.owned);
     GradientField<2> sums;
-    accumulate_fluid_gradients(sums, records, sample::reached_neighbours(pair, 1.2 * dx), pair.owned, model<2>());
-    sums[0].moment = 0.19 * Mat<2>::Identity();
+    accumulate_fluid_gradients(sums, records, sample::reached_neighbours(four, 1.2 * dx), four.owned, model<2>());
+    EXPECT_LT(sums[0].fluid_fill, thread_fill);
+    sums[0].moment = eigenvalue * Mat<2>::Identity();
+    sums[0].fluid_fill = fill;
     Rates<2> rates;
     rates.reset(4);
-    finish_gradients(pair, rates, sums, model<2>());
-    EXPECT_EQ(pair.velocity_gradient[0], sums[0].velocity);
+    finish_gradients(four, rates, sums, model<2>());
+    sum = sums[0];
+    return four.velocity_gradient[0];
+}
+
+TEST(FluidGradients, UseTheRawSumsWhereTheMomentIsPoor)
+{
+    GradientSums<2> sum;
+    EXPECT_EQ(gradient_of_four(0.19, 0.5, sum), sum.velocity);
+}
+
+TEST(FluidGradients, AreZeroInThreadsAndDrops)
+{
+    GradientSums<2> sum;
+    EXPECT_EQ(gradient_of_four(0.5, 0.33, sum), Mat<2>::Zero());
+    EXPECT_GT(sum.velocity.norm(), 0.0);
 }
 
 template<int D> void expect_minors_agree_with_eigenvalues()
