@@ -63,7 +63,7 @@ def write_report(folder: Path, case: Path) -> Path:
         section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"), ENERGY_NOTE)),
         section("Interface", picture(image_of(interface_figure(run), "interface force and work"), INTERFACE_NOTE)),
         section("Expected and found", expectation_table(check(run, case))),
-        section("Time", picture(image_of(wait_figure(run), "waits")),
+        section("Time", picture(image_of(wait_figure(run), "waits"), summary.get("wait_balance", "")),
                 columns(*(time_table(side, summary.get(side, {})) for side in SIDES))),
     ]
     body.insert(1, missing_note(run.missing))

@@ -13,7 +13,11 @@ std::string pack(const Introduction& introduction)
     packer.put(introduction.expected_roles);
     packer.put(introduction.config_file);
     packer.put(introduction.config_hash);
+    packer.put(introduction.program);
+    packer.put(introduction.own_file);
+    packer.put(introduction.own_hash);
     packer.put(introduction.version);
+    packer.put(introduction.libraries);
     packer.put(introduction.launch_advice);
     packer.put(introduction.failure);
     packer.put(introduction.host);
@@ -31,7 +35,11 @@ Introduction unpack_introduction(const std::string& text)
     unpacker.take(introduction.expected_roles);
     unpacker.take(introduction.config_file);
     unpacker.take(introduction.config_hash);
+    unpacker.take(introduction.program);
+    unpacker.take(introduction.own_file);
+    unpacker.take(introduction.own_hash);
     unpacker.take(introduction.version);
+    unpacker.take(introduction.libraries);
     unpacker.take(introduction.launch_advice);
     unpacker.take(introduction.failure);
     unpacker.take(introduction.host);

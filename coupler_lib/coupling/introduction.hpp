@@ -12,7 +12,11 @@ struct Introduction {
     std::vector<std::string> expected_roles;
     std::string config_file;
     std::string config_hash;
-    std::string version;
+    std::string program;   ///< name of the executable
+    std::string own_file;  ///< the role's own configuration
+    std::string own_hash;  ///< of its content
+    std::string version;   ///< git hash
+    std::string libraries; ///< "Open MPI v4.1.4, HDF5 1.10.8"
     std::string launch_advice;
     std::string failure;  ///< message of an error met before the handshake, or empty
     int failure_code = 0; ///< its exit code, 0: none
@@ -33,8 +37,9 @@ struct Verdict {
 
 /// Judges a complete set of introductions, in world rank order. The first matching case decides:
 /// an error met by some rank (its own code), a role that nobody expects (2, with the nearest known name), a role from
-/// two launch segments (2), a role that is missing (4, with the mpirun line), different shared files (2, both sides'
-/// names), different versions (2).
+/// two launch segments or played by two programs (2), a role that is missing (4, with the mpirun line), different
+/// shared files (2, both sides' names), ranks of a role with different own files (2), different versions of Rivage or
+/// of the libraries (2).
 Verdict judge(const std::vector<Introduction>& introductions);
 
 } // namespace coupler

@@ -3,7 +3,6 @@
 
 #include "coupler_lib/coupling/error_channel.hpp"
 #include "coupler_lib/coupling/handshake.hpp"
-#include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/coupling/signal_watch.hpp"
 
 #include <algorithm>
@@ -21,7 +20,11 @@ Introduction introduction_of(const ParticipantSettings& settings)
     if (mine.expected_roles.empty()) mine.expected_roles = {settings.role};
     mine.config_file = settings.config_file;
     mine.config_hash = settings.config_hash;
+    mine.program = settings.program;
+    mine.own_file = settings.own_file;
+    mine.own_hash = settings.own_hash;
     mine.version = settings.version;
+    mine.libraries = settings.libraries;
     mine.launch_advice = settings.launch_advice;
     mine.failure = settings.failure;
     mine.failure_code = static_cast<int>(settings.failure_code);
@@ -108,6 +111,8 @@ struct Participant::Parts {
     base::Communicator comm = base::Communicator::self();
     std::int64_t step = -1;
     double time = 0;
+    double waited = 0;
+    bool crowded = false; ///< more ranks than cores on this host
 };
 
 Participant::Participant(const ParticipantSettings& settings) : parts_(std::make_unique<Parts>(settings))
@@ -117,6 +122,7 @@ Participant::Participant(const ParticipantSettings& settings) : parts_(std::make
     for (int rank = 0; rank < static_cast<int>(parts_->introductions.size()); ++rank)
         if (rank != world_rank() && introduction(rank).host == host)
             neighbours.push_back({introduction(rank).pid, name_of(rank)});
+    parts_->crowded = static_cast<long>(neighbours.size()) + 1 > sysconf(_SC_NPROCESSORS_ONLN);
     parts_->watch.set_neighbours(std::move(neighbours), world_rank());
 }
 
@@ -181,10 +187,14 @@ double Participant::wait_until(const std::function<bool()>& done, const char* wh
                                const std::function<std::vector<int>()>& pending)
 {
     if (done()) return 0;
-    Patience patience;
+    Patience patience(parts_->settings.wait, parts_->crowded);
     double left_since = -1;
     for (;;) {
-        if (done()) return patience.waited();
+        if (done()) {
+            const double waited = patience.waited();
+            parts_->waited += waited;
+            return waited;
+        }
         if (!patience.pause()) continue;
         check_signals();
         const double waited = patience.waited();
@@ -205,6 +215,8 @@ double Participant::wait_until(const std::function<bool()>& done, const char* wh
                                           : ": the partner is silent (coupling.silence_timeout)"));
     }
 }
+
+double Participant::wait_seconds() const { return parts_->waited; }
 
 double Participant::wait_all(std::vector<MPI_Request>& requests, const char* what, const std::vector<int>& from)
 {
@@ -244,5 +256,19 @@ void Participant::report_failure(const base::Error& error) noexcept
 }
 
 void Participant::finish() { parts_->errors.tell_farewell(0.1); }
+
+void Participant::await_farewells()
+{
+    const auto present = [this] {
+        parts_->errors.poll();
+        std::vector<int> ranks;
+        for (int rank = 0; rank < static_cast<int>(parts_->introductions.size()); ++rank)
+            if (rank != world_rank() && !parts_->errors.has_left(rank)) ranks.push_back(rank);
+        return ranks;
+    };
+    const double waited = parts_->waited; // all work is done: no wait that more ranks would shorten
+    wait_until([&present] { return present().empty(); }, "the farewell", present);
+    parts_->waited = waited;
+}
 
 } // namespace coupler

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupler_lib/coupling/introduction.hpp"
+#include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/foundation/check.hpp"
 #include "coupler_lib/foundation/communicator.hpp"
 
@@ -19,12 +20,17 @@ struct ParticipantSettings {
     std::vector<std::string> expected_roles; ///< all roles of the run, own one included; empty or {role}: runs alone
     std::string config_file;                 ///< the shared file, for messages
     std::string config_hash;                 ///< of its content with all overrides; must agree on all ranks
+    std::string program;                     ///< name of the executable; one for each role
+    std::string own_file;                    ///< the role's own configuration, for messages
+    std::string own_hash;                    ///< of its content; must agree on all ranks of the role
     std::string version;                     ///< git hash; must agree on all ranks
+    std::string libraries;                   ///< with their versions; must agree on all ranks
     std::string launch_advice;               ///< the mpirun line that starts the whole run
     std::string failure;                     ///< what went wrong before the handshake (files not readable, ...)
     base::ExitCode failure_code = base::ExitCode::done; ///< `done`: nothing went wrong
     double handshake_timeout = 30;                      ///< [s]
     double silence_timeout = 300;                       ///< longest wait for a partner [s]
+    WaitStyle wait = WaitStyle::automatic;
 };
 
 /// An error that all ranks agree on and whose message is out already: the catcher prints nothing.
@@ -78,8 +84,7 @@ public:
     [[nodiscard]] bool stop_requested() const; ///< this rank was asked to stop; agreed on at the next exchange
     void request_stop();                       ///< as if a signal had come (wall-time limit)
 
-    /// Waits until `done()` is true: spins briefly, then yields, then sleeps tens of microseconds, and meanwhile looks
-    /// for signals and errors.
+    /// Waits until `done()` is true as ParticipantSettings::wait says, and meanwhile looks for signals and errors.
     ///
     /// \param done      polled; must make MPI progress (MPI_Test, MPI_Improbe)
     /// \param what      what is waited for, e.g. "load 17"
@@ -93,6 +98,9 @@ public:
     /// Waits until all requests are complete, with the same care. \return seconds waited
     double wait_all(std::vector<MPI_Request>& requests, const char* what, const std::vector<int>& from);
 
+    /// Seconds that this rank has waited for partners so far.
+    [[nodiscard]] double wait_seconds() const;
+
     /// Ends the whole run with this error: tells every other rank, makes sure that one message comes out, waits a short
     /// grace and calls MPI_Abort with the error's code. An AgreedError is not told and not printed again. Returns only
     /// when MPI can be finalised: for an orderly AgreedError, and when this rank is alone in the world.
@@ -100,6 +108,10 @@ public:
 
     /// Regular end: partners that still wait for this rank learn at once that it has left. Call before leaving.
     void finish();
+
+    /// Waits until all others have finished too, so that a partner lost at the very end is noticed and named.
+    /// Throws as `wait_until` does.
+    void await_farewells();
 
 private:
     struct Parts;

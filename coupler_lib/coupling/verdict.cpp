@@ -83,18 +83,20 @@ Verdict unknown_role(const Introductions& introductions)
     return {};
 }
 
-/// The same role from two launch segments: two programs would both believe to be the fluid.
+/// The same role from two launch segments, or by two programs where segments cannot be told apart (`srun
+/// --multi-prog`): two programs would both believe to be the fluid.
 Verdict doubled_role(const Introductions& introductions)
 {
-    std::map<std::string, std::set<int>> segments;
-    for (const auto& introduction : introductions) segments[introduction.role].insert(introduction.appnum);
-    for (const auto& [role, numbers] : segments) {
-        if (numbers.size() < 2) continue;
-        return {code_of(base::ExitCode::bad_input),
-                base::text("the role ", quoted(role), " is doubled: ", numbers.size(),
-                           " segments of the mpirun command start it; present: ", who_is_there(introductions),
-                           ". Name the role of one of them with --as NAME, or give one segment more ranks (-n)",
-                           advice(introductions))};
+    std::map<std::string, std::set<std::pair<int, std::string>>> players;
+    for (const auto& one : introductions) players[one.role].insert({one.appnum, one.program});
+    for (const auto& [role, which] : players) {
+        if (which.size() < 2) continue;
+        return {
+            code_of(base::ExitCode::bad_input),
+            base::text("the role ", quoted(role), " is doubled: ", which.size(),
+                       " segments of the mpirun command or programs play it; present: ", who_is_there(introductions),
+                       ". Name the role of one of them with --as NAME, or give one segment more ranks (-n)",
+                       advice(introductions))};
     }
     return {};
 }
@@ -113,15 +115,19 @@ Verdict missing_role(const Introductions& introductions)
                        who_is_there(introductions), advice(introductions))};
 }
 
+std::string difference_of(const Introductions& introductions, std::size_t a, std::size_t b, const std::string& of_a,
+                          const std::string& of_b)
+{
+    return base::text(quoted(introductions[a].role), " (rank ", a, ") has ", of_a, ", ", quoted(introductions[b].role),
+                      " (rank ", b, ") has ", of_b);
+}
+
 /// "'fluid' (rank 0) has A, 'solid' (rank 1) has B" for the first two ranks that differ in a property.
 template<class Property> std::string difference(const Introductions& introductions, Property property)
 {
-    for (std::size_t rank = 1; rank < introductions.size(); ++rank) {
-        const auto &first = introductions[0], &other = introductions[rank];
-        if (property(first) == property(other)) continue;
-        return base::text(quoted(first.role), " (rank 0) has ", property(first), ", ", quoted(other.role), " (rank ",
-                          rank, ") has ", property(other));
-    }
+    for (std::size_t rank = 1; rank < introductions.size(); ++rank)
+        if (property(introductions[0]) != property(introductions[rank]))
+            return difference_of(introductions, 0, rank, property(introductions[0]), property(introductions[rank]));
     return {};
 }
 
@@ -136,12 +142,34 @@ Verdict different_files(const Introductions& introductions)
                 ". All must be given the same shared file and the same --set options"};
 }
 
+/// All ranks of a role must read the same own file: on a cluster a node may still see an old one.
+Verdict different_own_files(const Introductions& introductions)
+{
+    const auto what = [](const Introduction& one) { return one.own_file + " [content " + one.own_hash + "]"; };
+    std::map<std::string, std::size_t> first;
+    for (std::size_t rank = 0; rank < introductions.size(); ++rank) {
+        const auto& own = introductions[rank];
+        const std::size_t before = first.emplace(own.role, rank).first->second;
+        if (own.own_hash == introductions[before].own_hash) continue;
+        return {code_of(base::ExitCode::bad_input),
+                "the ranks of one participant read different files: " +
+                    difference_of(introductions, before, rank, what(introductions[before]), what(own)) +
+                    ". Do all nodes see the same, present folder?"};
+    }
+    return {};
+}
+
 Verdict different_versions(const Introductions& introductions)
 {
     const std::string versions = difference(introductions, [](const Introduction& one) { return one.version; });
-    if (versions.empty()) return {};
-    return {code_of(base::ExitCode::bad_input),
-            "the programs are of different versions: " + versions + ". Build both from the same source"};
+    if (!versions.empty())
+        return {code_of(base::ExitCode::bad_input),
+                "the programs are of different versions: " + versions + ". Build both from the same source"};
+    const std::string libraries = difference(introductions, [](const Introduction& one) { return one.libraries; });
+    if (!libraries.empty())
+        return {code_of(base::ExitCode::bad_input), "the programs use different libraries: " + libraries +
+                                                        ". Build both, and run all nodes, with the same ones"};
+    return {};
 }
 
 } // namespace
@@ -150,7 +178,7 @@ Verdict judge(const std::vector<Introduction>& introductions)
 {
     using Check = Verdict (*)(const Introductions&);
     for (const Check check : {Check(own_errors), Check(unknown_role), Check(doubled_role), Check(missing_role),
-                              Check(different_files), Check(different_versions)}) {
+                              Check(different_files), Check(different_own_files), Check(different_versions)}) {
         const Verdict verdict = check(introductions);
         if (verdict.code != 0) return verdict;
     }

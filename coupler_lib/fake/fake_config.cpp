@@ -48,9 +48,15 @@ base::Table<FaultConfig> fault_table()
 {
     return base::Table<FaultConfig>("a failure to be acted out, to test how a run ends")
         .key("kind", &FaultConfig::kind,
-             {.doc = "throw: an error; nan: a value that is not a number; kill: SIGKILL; silent: no answer; leave: "
-                     "ends early",
-              .choices = {"none", "throw", "nan", "kill", "silent", "leave"}})
+             {.doc =
+                  "throw: an error; nan: a value that is not a number; kill, crash, terminate, stop: SIGKILL, SIGSEGV, "
+                  "SIGTERM, SIGSTOP to itself; silent: no answer; leave: ends early",
+              .choices = {"none", "throw", "nan", "kill", "crash", "terminate", "stop", "silent", "leave"}})
+        .key("moment", &FaultConfig::moment,
+             {.doc =
+                  "start: before the first exchange; exchange: in the middle of one; step: while computing; end: when "
+                  "all steps are done",
+              .choices = {"start", "exchange", "step", "end"}})
         .key("step", &FaultConfig::step, {.unit = "-", .doc = "at which step", .min = 0})
         .key("rank", &FaultConfig::rank, {.unit = "-", .doc = "on which of the program's ranks", .min = 0});
 }

@@ -26,7 +26,7 @@ struct FakeSolidConfig {
     PistonSurfaceConfig surface;
     OscillatorConfig piston;
     FakeRunConfig run;
-    FaultConfig fault;
+    FaultConfig fault{.moment = "exchange"};
 };
 
 /// [fluid] of fake_fluid.

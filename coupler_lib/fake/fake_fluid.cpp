@@ -67,6 +67,7 @@ public:
 
     void run()
     {
+        if (meets_fault("start", 0) == Fault::leave) return;
         exchange({-1, 0, 0}, {});
         measure(0, 0);
         const double end = session_.coupling().time.end, dt = config_.fluid.dt;
@@ -74,18 +75,24 @@ public:
             const double time = static_cast<double>(step) * dt;
             const bool stop = wet_.stop_agreed();
             const Window window{step, time, dt, stop || time > end - 1e-9 * dt, stop};
-            exchange(window, pressure_.loads());
+            if (!exchange(window, pressure_.loads())) return;
             if (records_) records_->add(window, report_, solid_);
             if (window.last) break;
             Patience::nap(config_.run.sleep);
-            const Fault fault = act_out(config_.fault, step, session_.comm().rank());
+            const Fault fault = meets_fault("step", step);
             if (fault == Fault::leave) return;
             measure(fault == Fault::nan ? std::numeric_limits<double>::quiet_NaN() : time, dt);
         }
+        if (meets_fault("end", 0) == Fault::leave) return;
         finish();
     }
 
 private:
+    Fault meets_fault(const std::string& moment, std::int64_t step) const
+    {
+        return act_out(config_.fault, moment, step, session_.comm().rank());
+    }
+
     static InterfaceSettings settings(const Session& session, const FakeFluidConfig& config)
     {
         auto settings = session.coupling().interface_settings();
@@ -96,15 +103,18 @@ private:
     /// Every facet is loaded by one rank: the one whose turn its id is.
     bool is_mine(std::int64_t facet_id) const { return facet_id % session_.comm().size() == session_.comm().rank(); }
 
-    void exchange(const Window& window, const FacetLoads& loads)
+    /// \return false: the fault "leave" ends the run here
+    bool exchange(const Window& window, const FacetLoads& loads)
     {
         report_.wait = session_.comm().max(wet_.wait_seconds());
         wet_.send(window, everywhere, loads, *batch_, report_);
+        if (meets_fault("exchange", window.step) == Fault::leave) return false;
         batch_ = &wet_.receive(solid_);
-        if (window.step < 1) return;
+        if (window.step < 1) return true;
         const auto jump = session_.comm().total(pressure_.jump_work(*batch_));
         report_.jump_work += jump.value();
         report_.external_work = report_.work_on_solid + report_.jump_work; // whatever makes the pressure pays for it
+        return true;
     }
 
     void measure(double time, double dt)

@@ -65,6 +65,7 @@ public:
 
     void run()
     {
+        if (meets_fault("start", 0) == Fault::leave) return;
         Window window = wet_.receive(load_, fluid_);
         answer(window); // greeting: where the surface is
         while (!window.last) {
@@ -73,17 +74,24 @@ public:
             if (!answer(window)) return;
             if (window.last) break;
             Patience::nap(config_.run.sleep);
+            if (meets_fault("step", window.step) == Fault::leave) return;
             piston_.advance(load_of_step(), window.dt);
             surface_.resultants(load_, piston_.displacement(), piston_.applied_load(), report_);
         }
+        if (meets_fault("end", window.step) == Fault::leave) return;
         session_.write_summary(summary(window));
     }
 
 private:
+    Fault meets_fault(const std::string& moment, std::int64_t step) const
+    {
+        return act_out(config_.fault, moment, step, session_.comm().rank());
+    }
+
     /// Sends the motion at the window's time and writes a row. \return false: the fault "leave" ends the run here
     bool answer(const Window& window)
     {
-        const Fault fault = window.step < 0 ? Fault::none : act_out(config_.fault, window.step, session_.comm().rank());
+        const Fault fault = meets_fault("exchange", window.step);
         if (fault == Fault::leave) return false;
         auto motion = surface_.motion(piston_.displacement(), piston_.velocity(), piston_.acceleration());
         filter_.apply(window.time, motion);

@@ -5,15 +5,28 @@
 
 #include <csignal>
 #include <ctime>
+#include <map>
 
 namespace coupler {
+namespace {
 
-Fault act_out(const FaultConfig& fault, std::int64_t step, int rank)
+const std::map<std::string, int> signals{
+    {"kill", SIGKILL}, {"crash", SIGSEGV}, {"terminate", SIGTERM}, {"stop", SIGSTOP}};
+
+} // namespace
+
+Fault act_out(const FaultConfig& fault, const std::string& moment, std::int64_t step, int rank)
 {
-    if (fault.kind == "none" || step != fault.step || rank != fault.rank) return Fault::none;
+    const bool any_step = moment == "start" || moment == "end";
+    if (fault.kind == "none" || moment != fault.moment || rank != fault.rank) return Fault::none;
+    if (!any_step && step != fault.step) return Fault::none;
     if (fault.kind == "throw")
         throw base::Error(base::ExitCode::numerical_failure, "the fault that was asked for ([fault] kind = \"throw\")");
-    if (fault.kind == "kill") std::raise(SIGKILL);
+    const auto signal = signals.find(fault.kind);
+    if (signal != signals.end()) {
+        std::raise(signal->second);
+        return Fault::none;
+    }
     while (fault.kind == "silent") {
         const timespec second{1, 0};
         nanosleep(&second, nullptr);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/session/coupling_config.hpp"
 
-#include "coupler_lib/foundation/nearest_name.hpp"
 #include "coupler_lib/foundation/check.hpp"
+#include "coupler_lib/foundation/nearest_name.hpp"
 
 #include <algorithm>
 
@@ -13,19 +13,22 @@ base::Table<ParticipantConfig> participant_table()
 {
     return base::Table<ParticipantConfig>("a program that takes part, under the name of its role")
         .key("program", &ParticipantConfig::program, {.doc = "executable that plays this role", .required = true})
-        .key("file", &ParticipantConfig::file, {.doc = "its own configuration, relative to this file", .required = true});
+        .key("file", &ParticipantConfig::file,
+             {.doc = "its own configuration, relative to this file", .required = true});
 }
 
 base::Table<RunTimeConfig> time_table()
 {
     return base::Table<RunTimeConfig>("duration of the coupled run")
-        .key("end", &RunTimeConfig::end, {.unit = "s", .doc = "physical time at which the run ends", .positive = true, .required = true});
+        .key("end", &RunTimeConfig::end,
+             {.unit = "s", .doc = "physical time at which the run ends", .positive = true, .required = true});
 }
 
 base::Table<RunOutputConfig> output_table()
 {
     return base::Table<RunOutputConfig>("when both participants write; at the first step at or after the nominal time")
-        .key("interval", &RunOutputConfig::interval, {.unit = "s", .doc = "between two field outputs; 0: start and end only", .min = 0})
+        .key("interval", &RunOutputConfig::interval,
+             {.unit = "s", .doc = "between two field outputs; 0: start and end only", .min = 0})
         .key("table_interval", &RunOutputConfig::table_interval,
              {.unit = "s", .doc = "between two rows of the CSV tables; 0: every step", .min = 0});
 }
@@ -34,8 +37,9 @@ base::Table<SchemeConfig> scheme_table()
 {
     return base::Table<SchemeConfig>("how the two sides are coupled")
         .key("scheme", &SchemeConfig::scheme,
-             {.doc = "parallel: load lagged by a step; parallel_impedance: the same with the acoustic reaction of the wet "
-                     "surface taken implicitly in the solid",
+             {.doc =
+                  "parallel: load lagged by a step; parallel_impedance: the same with the acoustic reaction of the wet "
+                  "surface taken implicitly in the solid",
               .choices = {"parallel", "parallel_impedance"}})
         .key("impedance_factor", &SchemeConfig::impedance_factor,
              {.unit = "-", .doc = "share of rho c used by parallel_impedance", .min = 0, .max = 2})
@@ -47,7 +51,11 @@ base::Table<SchemeConfig> scheme_table()
         .key("handshake_timeout", &SchemeConfig::handshake_timeout,
              {.unit = "s", .doc = "longest wait for a participant to appear", .positive = true})
         .key("silence_timeout", &SchemeConfig::silence_timeout,
-             {.unit = "s", .doc = "longest wait for a packet of the partner", .positive = true});
+             {.unit = "s", .doc = "longest wait for a packet of the partner", .positive = true})
+        .key(
+            "wait", &SchemeConfig::wait,
+            {.doc = "how to wait. auto: spin, then yield, then sleep; spin: keep the core; yield: give it away at once",
+             .choices = {"auto", "spin", "yield"}});
 }
 
 base::Table<InterfaceConfig> interface_table()
@@ -57,28 +65,38 @@ base::Table<InterfaceConfig> interface_table()
         .key("solid", &InterfaceConfig::solid, {.doc = "role of the solid"})
         .key("surface", &InterfaceConfig::surface, {.doc = "name of the surface in messages"})
         .key("load", &InterfaceConfig::load,
-             {.doc = "conservative: momentum exchanged with the wall; averaged: pressure of the particles beside each facet",
+             {.doc = "conservative: momentum exchanged with the wall; averaged: pressure of the particles beside each "
+                     "facet",
               .choices = {"conservative", "averaged"}})
         .key("coverage_limit", &InterfaceConfig::coverage_limit,
              {.unit = "-", .doc = "averaged load: facets covered less than this get none", .min = 0, .max = 1})
         .key("motion_jump_limit", &InterfaceConfig::motion_jump_limit,
-             {.unit = "facet sizes", .doc = "a wet node that moves farther within one step stops the run", .positive = true});
+             {.unit = "facet sizes",
+              .doc = "a wet node that moves farther within one step stops the run",
+              .positive = true});
 }
 
-void check_role(const CouplingConfig& config, const std::string& key, const std::string& role, const base::ConfigReader& reader)
+void check_role(const CouplingConfig& config, const std::string& key, const std::string& role,
+                const base::ConfigReader& reader)
 {
     const auto roles = config.roles();
-    base::require_input(std::find(roles.begin(), roles.end(), role) != roles.end(), reader.where("interface." + key), ": [interface] ",
-                        key, " = \"", role, "\" is no participant", base::suggestion(role, roles));
+    base::require_input(std::find(roles.begin(), roles.end(), role) != roles.end(), reader.where("interface." + key),
+                        ": [interface] ", key, " = \"", role, "\" is no participant", base::suggestion(role, roles));
 }
 
-}  // namespace
+} // namespace
 
 std::vector<std::string> CouplingConfig::roles() const
 {
     std::vector<std::string> names;
     for (const auto& [name, participant] : participants) names.push_back(name);
     return names;
+}
+
+WaitStyle SchemeConfig::wait_style() const
+{
+    if (wait == "spin") return WaitStyle::spin;
+    return wait == "yield" ? WaitStyle::yield : WaitStyle::automatic;
 }
 
 InterfaceSettings CouplingConfig::interface_settings() const
@@ -101,11 +119,13 @@ CouplingConfig read_coupling_config(base::ConfigReader& reader)
     config.interface = reader.table("interface", interface_table());
     reader.finish();
     if (reader.describing()) return config;
-    base::require_input(config.participants.size() >= 2, reader.file_name(), ": two participants are wanted, [participants.fluid] and "
-                        "[participants.solid], not ", config.participants.size());
+    base::require_input(config.participants.size() >= 2, reader.file_name(),
+                        ": two participants are wanted, [participants.fluid] and "
+                        "[participants.solid], not ",
+                        config.participants.size());
     check_role(config, "fluid", config.interface.fluid, reader);
     check_role(config, "solid", config.interface.solid, reader);
     return config;
 }
 
-}  // namespace coupler
+} // namespace coupler

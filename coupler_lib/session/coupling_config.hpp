@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "coupler_lib/base/config.hpp"
+#include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/coupling/surface.hpp"
 
 #include <string>
@@ -33,6 +34,9 @@ struct SchemeConfig {
     int acceleration_steps = 5;
     double handshake_timeout = 30;
     double silence_timeout = 300;
+    std::string wait = "auto";
+
+    WaitStyle wait_style() const;
 };
 
 /// [interface]
@@ -59,4 +63,4 @@ struct CouplingConfig {
 /// Reads all tables of coupling.toml. Throws Error(bad_input) with the place of what is wrong.
 CouplingConfig read_coupling_config(base::ConfigReader& reader);
 
-}  // namespace coupler
+} // namespace coupler

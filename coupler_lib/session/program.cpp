@@ -17,7 +17,8 @@ std::string describe_keys(const void* context)
     program.read_own_file(own);
     auto shared = base::ConfigReader::describe();
     read_coupling_config(shared);
-    return fmt::format("# {}: its own file\n\n{}# the shared file, coupling.toml\n\n{}", program.name, own.help(), shared.help());
+    return fmt::format("# {}: its own file\n\n{}# the shared file, coupling.toml\n\n{}", program.name, own.help(),
+                       shared.help());
 }
 
 /// "mpirun -n 1 sph_solver cases/x/coupling.toml : -n 1 fem_solver cases/x/coupling.toml"
@@ -27,7 +28,9 @@ std::string launch_line(const RunFiles& files)
     std::string line = "mpirun";
     for (const auto& [role, participant] : files.coupling->participants) {
         line += fmt::format("{} -n 1 {} {}", line == "mpirun" ? "" : " :", participant.program, files.coupling_file);
-        line += role == files.role || participant.program == "sph_solver" || participant.program == "fem_solver" ? "" : " --as " + role;
+        line += role == files.role || participant.program == "sph_solver" || participant.program == "fem_solver"
+                    ? ""
+                    : " --as " + role;
     }
     return line;
 }
@@ -44,15 +47,21 @@ Preparation prepare(const ProgramInfo& program, const CommandLine& command)
     auto& settings = made.settings;
     settings.role = command.role.empty() ? program.default_role : command.role;
     settings.config_file = command.file;
+    settings.program = program.name;
     settings.version = base::git_hash();
+    settings.libraries = base::parallel_libraries();
     try {
         made.files = read_run_files(program, command);
         settings.config_hash = made.files.config_hash;
+        settings.own_file = made.files.own_file;
+        settings.own_hash = made.files.own_hash;
         settings.launch_advice = launch_line(made.files);
-        settings.expected_roles = made.files.coupling ? made.files.coupling->roles() : std::vector<std::string>{settings.role};
+        settings.expected_roles =
+            made.files.coupling ? made.files.coupling->roles() : std::vector<std::string>{settings.role};
         if (made.files.coupling) {
             settings.handshake_timeout = made.files.coupling->scheme.handshake_timeout;
             settings.silence_timeout = made.files.coupling->scheme.silence_timeout;
+            settings.wait = made.files.coupling->scheme.wait_style();
         }
     } catch (const base::Error& error) {
         settings.failure = error.what();
@@ -62,25 +71,28 @@ Preparation prepare(const ProgramInfo& program, const CommandLine& command)
 }
 
 /// Runs `body` and turns whatever it throws into the end of the whole run.
-int run_body(Participant& participant, const Preparation& prepared, bool check_only, const std::function<void(Session&)>& body)
+int run_body(Participant& participant, const Preparation& prepared, bool check_only,
+             const std::function<void(Session&)>& body)
 {
     try {
         Session session(participant, prepared.files, check_only);
         body(session);
         participant.finish();
+        participant.await_farewells();
         return participant.stop_requested() ? static_cast<int>(base::ExitCode::stopped_on_request) : 0;
     } catch (const base::Error& error) {
         participant.report_failure(error);
         return static_cast<int>(error.code());
     } catch (const std::bad_alloc&) {
-        participant.report_failure({base::ExitCode::numerical_failure, "out of memory; use more ranks or a coarser resolution"});
+        participant.report_failure(
+            {base::ExitCode::numerical_failure, "out of memory; use more ranks or a coarser resolution"});
     } catch (const std::exception& error) {
         participant.report_failure({base::ExitCode::numerical_failure, error.what()});
     }
     return static_cast<int>(base::ExitCode::numerical_failure);
 }
 
-}  // namespace
+} // namespace
 
 int run_program(const ProgramInfo& program, int argc, char** argv, const std::function<void(Session&)>& body)
 {
@@ -90,7 +102,8 @@ int run_program(const ProgramInfo& program, int argc, char** argv, const std::fu
         return parsed.code;
     }
     const Preparation prepared = prepare(program, parsed.command);
-    const MpiSession mpi(argc, argv, prepared.settings.role, prepared.settings.handshake_timeout, prepared.settings.launch_advice);
+    const MpiSession mpi(argc, argv, prepared.settings.role, prepared.settings.handshake_timeout,
+                         prepared.settings.launch_advice);
     try {
         Participant participant(prepared.settings);
         return run_body(participant, prepared, parsed.command.check_only, body);
@@ -99,4 +112,4 @@ int run_program(const ProgramInfo& program, int argc, char** argv, const std::fu
     }
 }
 
-}  // namespace coupler
+} // namespace coupler

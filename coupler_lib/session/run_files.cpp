@@ -42,8 +42,9 @@ void check_prefixes(const CommandLine& command, std::vector<std::string> known)
 {
     for (const auto& [key, value] : command.overrides) {
         const std::string prefix = key.substr(0, key.find('.'));
-        base::require_input(std::find(known.begin(), known.end(), prefix) != known.end() && key.size() > prefix.size(), "--set ", key,
-                            "=", value, ": a key begins with a participant's name or 'coupling'", base::suggestion(prefix, known));
+        base::require_input(std::find(known.begin(), known.end(), prefix) != known.end() && key.size() > prefix.size(),
+                            "--set ", key, "=", value, ": a key begins with a participant's name or 'coupling'",
+                            base::suggestion(prefix, known));
     }
 }
 
@@ -55,6 +56,8 @@ std::string default_output_dir(const fs::path& folder)
 
 void read_own(const ProgramInfo& program, const CommandLine& command, const std::string& path, RunFiles& files)
 {
+    files.own_file = path;
+    files.own_hash = hash_of(content_of(path));
     files.own = base::ConfigDocument::load(path);
     apply_overrides(files.own, files.role, command);
     base::ConfigReader reader(files.own);
@@ -68,14 +71,14 @@ void read_shared(const base::ConfigDocument& document, const CommandLine& comman
     files.coupling = read_coupling_config(reader);
     files.used_coupling = reader.used();
     const auto roles = files.coupling->roles();
-    base::require_input(std::find(roles.begin(), roles.end(), files.role) != roles.end(), "--as ", files.role, ": ", command.file,
-                        " has no [participants.", files.role, "]", base::suggestion(files.role, roles));
+    base::require_input(std::find(roles.begin(), roles.end(), files.role) != roles.end(), "--as ", files.role, ": ",
+                        command.file, " has no [participants.", files.role, "]", base::suggestion(files.role, roles));
     auto prefixes = roles;
     prefixes.push_back("coupling");
     check_prefixes(command, prefixes);
 }
 
-}  // namespace
+} // namespace
 
 RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command)
 {
@@ -99,8 +102,9 @@ RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command)
     apply_overrides(document, "coupling", command);
     read_shared(document, command, files);
     for (const auto& [name, participant] : files.coupling->participants)
-        if (name == files.role) read_own(program, command, (fs::path(files.case_dir) / participant.file).string(), files);
+        if (name == files.role)
+            read_own(program, command, (fs::path(files.case_dir) / participant.file).string(), files);
     return files;
 }
 
-}  // namespace coupler
+} // namespace coupler

@@ -2,7 +2,9 @@
 #include "coupler_lib/session/session.hpp"
 
 #include "coupler_lib/base/version.hpp"
+#include "coupler_lib/session/wait_balance.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int summary_tag = 7301, used_config_tag = 7302;
+constexpr int summary_tag = 7301, used_config_tag = 7302, wait_tag = 7303;
 
 /// Largest resident memory of this rank so far [MB].
 double peak_memory()
@@ -73,7 +75,7 @@ std::vector<std::pair<std::string, std::string>> gather_texts(Participant& me, c
     return texts;
 }
 
-}  // namespace
+} // namespace
 
 Session::Session(Participant& participant, const RunFiles& files, bool check_only)
     : participant_(&participant), files_(files), check_only_(check_only), own_folder_(files.role)
@@ -107,19 +109,35 @@ void Session::write_used_config()
 void Session::write_summary(base::JsonObject figures)
 {
     const double memory = comm().max(peak_memory());
+    const double waited = comm().sum(participant_->wait_seconds()) / comm().size();
+    const WaitShare wait{role(), comm().size(), waited / std::max(wall_seconds(), 1e-9)};
     figures.set("ranks", comm().size())
         .set("wall_s", wall_seconds())
         .set("peak_memory_per_rank_MB", memory)
         .set("version", base::version())
         .set("commit", base::git_hash())
+        .set("wait_share", wait.share)
         .set("timers", timers_.json());
     if (!is_root()) return;
     write_text(own_dir() + "/summary.json", figures.text() + "\n");
     const auto texts = gather_texts(*participant_, figures.text(1), summary_tag);
+    const std::string advice = coupled() ? wait_balance(wait) : "";
     if (texts.empty()) return;
     std::string all = "{";
-    for (std::size_t k = 0; k < texts.size(); ++k) all += (k ? ",\n  \"" : "\n  \"") + texts[k].first + "\": " + texts[k].second;
+    for (const auto& [name, text] : texts) all += (all == "{" ? "\n  \"" : ",\n  \"") + name + "\": " + text;
+    if (!advice.empty()) all += ",\n  \"wait_balance\": \"" + advice + "\"";
     write_text(files_.output_dir + "/summary.json", all + "\n}\n");
 }
 
-}  // namespace coupler
+/// On world rank 0: who waited how long, with advice, logged and returned. Elsewhere: sends its own share.
+std::string Session::wait_balance(const WaitShare& mine)
+{
+    std::vector<WaitShare> waits;
+    for (const auto& [name, text] : gather_texts(*participant_, to_text(mine), wait_tag))
+        waits.push_back(wait_share_from(name, text));
+    const std::string advice = wait_advice(waits);
+    if (!advice.empty()) log_.info("waits: " + advice);
+    return advice;
+}
+
+} // namespace coupler

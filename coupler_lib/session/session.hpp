@@ -6,6 +6,7 @@
 #include "coupler_lib/coupling/participant.hpp"
 #include "coupler_lib/session/command_line.hpp"
 #include "coupler_lib/session/coupling_config.hpp"
+#include "coupler_lib/session/wait_balance.hpp"
 
 #include <functional>
 #include <memory>
@@ -16,9 +17,9 @@ namespace coupler {
 
 /// What a program is and how it reads its own file.
 struct ProgramInfo {
-    std::string name;          ///< "sph_solver"
-    std::string default_role;  ///< "fluid"
-    std::string purpose;       ///< one sentence for --help
+    std::string name;         ///< "sph_solver"
+    std::string default_role; ///< "fluid"
+    std::string purpose;      ///< one sentence for --help
     /// Reads (and so checks) every table of the program's own file; also called to describe them for --help-config.
     std::function<void(base::ConfigReader&)> read_own_file;
 };
@@ -26,14 +27,16 @@ struct ProgramInfo {
 /// All files of a run as this participant reads them, overrides applied.
 struct RunFiles {
     std::string role;
-    std::optional<CouplingConfig> coupling;  ///< absent when the program runs alone
+    std::optional<CouplingConfig> coupling; ///< absent when the program runs alone
     base::ConfigDocument own;
-    std::string coupling_file;  ///< path, or of the own file when alone
-    std::string case_dir;       ///< folder of the file given on the command line
+    std::string coupling_file; ///< path, or of the own file when alone
+    std::string case_dir;      ///< folder of the file given on the command line
     std::string output_dir;
-    std::string config_hash;    ///< of the shared file and all overrides
-    std::string used_coupling;  ///< coupling.toml with its defaults, as TOML
-    std::string used_own;       ///< the own file likewise
+    std::string config_hash;   ///< of the shared file and all overrides
+    std::string own_file;      ///< path
+    std::string own_hash;      ///< of its content
+    std::string used_coupling; ///< coupling.toml with its defaults, as TOML
+    std::string used_own;      ///< the own file likewise
 };
 
 /// Reads everything, checks every key. Throws Error(bad_input) with file, line, column.
@@ -70,6 +73,7 @@ public:
 
 private:
     void write_used_config();
+    std::string wait_balance(const WaitShare& mine);
 
     Participant* participant_;
     RunFiles files_;
@@ -84,4 +88,4 @@ private:
 /// \return the exit code for main.
 int run_program(const ProgramInfo& program, int argc, char** argv, const std::function<void(Session&)>& body);
 
-}  // namespace coupler
+} // namespace coupler

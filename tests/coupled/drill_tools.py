@@ -44,6 +44,7 @@ class Run:
             own = [str(programs / segment.program), str(segment.file), "--out", str(self.out), *overrides, *segment.arguments]
             line += [":"] * (index > 0) + ["-n", str(segment.ranks), *(segment.command or own)]
         print(shlex.join(line), flush=True)
+        self.programs = {segment.program for segment in segments if segment.program} | {"fake_fluid", "fake_solid"}
         self.start = time.monotonic()
         self.process = subprocess.Popen(line, env=os.environ | ENVIRONMENT, stdin=subprocess.DEVNULL, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -102,7 +103,7 @@ class Run:
         faults += [f"the message lacks {piece!r}" for piece in pieces if piece not in "\n".join(self.text.splitlines())]
         if elapsed > within:
             faults.append(f"it took {elapsed:.2f} s, more than {within} s")
-        for program in ("fake_fluid", "fake_solid"):
+        for program in sorted(self.programs):
             if self.pids(program):
                 faults.append(f"{program} is still running")
         assert not faults, "; ".join(faults)

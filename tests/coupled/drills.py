@@ -171,9 +171,62 @@ def one_segment(programs):
         assert (Path(folder) / "coupling" / "interface.csv").read_text().count("\n") == 102
 
 
+# Signals at every moment of a run, to the fluid and to the solid: what mpirun returns, and what the survivor says.
+SIGNALS = {"kill": (137, "vanished at t = "), "crash": (139, "vanished at t = ")}
+MOMENTS = ("start", "exchange", "step", "end")
+
+
+def signalled(programs, moment: str, kind: str) -> None:
+    for role, other in (("solid", "fluid"), ("fluid", "solid")):
+        run = Run(programs, [fluid(), solid()], (f'{role}.fault.kind="{kind}"', f'{role}.fault.moment="{moment}"', f"{role}.fault.step=10"))
+        code, piece = SIGNALS[kind]
+        run.finish().expect(code, f"the partner '{role}' (rank {0 if role == 'fluid' else 1}", piece, f"'{other}' (rank")
+
+
+def signal_drills() -> dict:
+    def drill(moment: str, kind: str):
+        return lambda programs: signalled(programs, moment, kind)
+    return {f"{kind}_at_{moment}": drill(moment, kind) for moment in MOMENTS for kind in SIGNALS}
+
+
+def terminated(programs):
+    """SIGTERM to one process while all live is a request to stop, whenever it comes before the end."""
+    for moment in ("start", "exchange", "step"):
+        for role in ("fluid", "solid"):
+            fault = (f'{role}.fault.kind="terminate"', f'{role}.fault.moment="{moment}"', f"{role}.fault.step=10")
+            run = Run(programs, [fluid(), solid()], (*fault, *SLOW))
+            run.finish().expect(5, messages=0)
+
+
+def throws_at_any_moment(programs):
+    for moment in MOMENTS:
+        for role in ("fluid", "solid"):
+            acted_out(programs, role, "throw", 3, f"'{role}' (rank", "the fault that was asked for", settings=(f'{role}.fault.moment="{moment}"',))
+
+
+def leaves_at_any_moment(programs):
+    for moment in ("start", "exchange", "step"):
+        for role, other in (("fluid", "solid"), ("solid", "fluid")):
+            acted_out(programs, role, "leave", 4, f"'{other}' (rank", f"from '{role}' (rank", "has ended its run early",
+                      settings=(f'{role}.fault.moment="{moment}"',))
+
+
+def stopped_process(programs):
+    """SIGSTOP: the process lives and will never answer; nothing is left of it in the end."""
+    for role, other in (("fluid", "solid"), ("solid", "fluid")):
+        acted_out(programs, role, "stop", 4, f"'{other}' (rank", f"from '{role}' (rank", "is silent",
+                  settings=(f'{role}.fault.moment="step"', "coupling.coupling.silence_timeout=1"))
+
+
+def waits_of_every_style(programs):
+    for style in ("auto", "spin", "yield"):
+        run = Run(programs, [fluid(), solid()], (f'coupling.coupling.wait="{style}"',)).finish()
+        run.expect(0, "waits: ", within=60, messages=0)
+
+
 def main() -> int:
     drills = {name: value for name, value in globals().items()
-              if callable(value) and getattr(value, "__module__", "") == "__main__" and name not in ("main", "under_way", "acted_out")}
+              if callable(value) and getattr(value, "__module__", "") == "__main__" and name not in ("main", "under_way", "acted_out", "signalled", "signal_drills")} | signal_drills()
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("name", choices=[*drills, "list"])
     parser.add_argument("--programs", type=Path)

@@ -58,6 +58,36 @@ TEST(Verdict, NamesADoubledRole)
     EXPECT_TRUE(says(verdict, "'fluid' is doubled")) << verdict.message;
 }
 
+TEST(Verdict, NamesTwoProgramsInOneRoleWhereSegmentsCannotBeToldApart)
+{
+    auto one = member("fluid", 0), other = member("fluid", 0);
+    one.program = "sph_solver";
+    other.program = "fake_fluid";
+    const auto verdict = judge({one, other, member("solid", 0)});
+    EXPECT_EQ(verdict.code, 2);
+    EXPECT_TRUE(says(verdict, "'fluid' is doubled")) << verdict.message;
+}
+
+TEST(Verdict, NamesRanksOfARoleThatReadDifferentFiles)
+{
+    auto one = member("solid", 1), other = member("solid", 1);
+    one.own_file = "a/solid.toml", one.own_hash = "1";
+    other.own_file = "b/solid.toml", other.own_hash = "2";
+    const auto verdict = judge({member("fluid", 0), one, other});
+    EXPECT_EQ(verdict.code, 2);
+    EXPECT_TRUE(says(verdict, "a/solid.toml") && says(verdict, "b/solid.toml") && says(verdict, "rank 2"))
+        << verdict.message;
+}
+
+TEST(Verdict, NamesDifferentLibraries)
+{
+    auto other = member("solid", 1);
+    other.libraries = "Open MPI v5";
+    const auto verdict = judge({member("fluid", 0), other});
+    EXPECT_EQ(verdict.code, 2);
+    EXPECT_TRUE(says(verdict, "different libraries") && says(verdict, "Open MPI v5")) << verdict.message;
+}
+
 TEST(Verdict, SuggestsTheNearestRole)
 {
     auto mistyped = member("soild", 1);
@@ -101,6 +131,9 @@ TEST(Introduction, SurvivesTheMessage)
 {
     auto sent = member("fluid", 3);
     sent.host = "gauss";
+    sent.program = "sph_solver";
+    sent.own_hash = "89ab";
+    sent.libraries = "Open MPI v4";
     sent.pid = 4711;
     sent.failure = "no such file";
     sent.failure_code = 2;
@@ -113,6 +146,9 @@ TEST(Introduction, SurvivesTheMessage)
     EXPECT_EQ(got.appnum, 3);
     EXPECT_EQ(got.failure, sent.failure);
     EXPECT_EQ(got.failure_code, 2);
+    EXPECT_EQ(got.program, sent.program);
+    EXPECT_EQ(got.own_hash, sent.own_hash);
+    EXPECT_EQ(got.libraries, sent.libraries);
 }
 
 TEST(Introduction, RefusesATextThatIsCutShort)

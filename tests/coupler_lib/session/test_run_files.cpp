@@ -16,7 +16,9 @@ struct Own {
 coupler::ProgramInfo program_of(const std::string& role)
 {
     return {"sph_solver", role, "", [](base::ConfigReader& reader) {
-                reader.table("resolution", base::Table<Own>("size").key("spacing", &Own::spacing, {.doc = "dx", .positive = true, .required = true}));
+                reader.table("resolution",
+                             base::Table<Own>("size").key("spacing", &Own::spacing,
+                                                          {.doc = "dx", .positive = true, .required = true}));
                 reader.finish();
             }};
 }
@@ -91,10 +93,11 @@ TEST_F(RunFilesTest, ErrorsNameWhatIsWrong)
     EXPECT_TRUE(contains(error_of("coupling.toml", {{"flui.resolution.spacing", "1"}}), "did you mean 'fluid'"));
     EXPECT_TRUE(contains(error_of("coupling.toml", {{"fluid.resolution.spacing", "-1"}}), "must be positive"));
     EXPECT_TRUE(contains(error_of("nothing.toml"), "nothing.toml"));
-    write("coupling.toml", "[participants.fluid]\nprogram = 'sph_solver'\nfile = 'gone.toml'\n[participants.solid]\nprogram = 'x'\nfile = 'y'\n[time]\nend = 1\n");
+    write("coupling.toml", "[participants.fluid]\nprogram = 'sph_solver'\nfile = "
+                           "'gone.toml'\n[participants.solid]\nprogram = 'x'\nfile = 'y'\n[time]\nend = 1\n");
     EXPECT_TRUE(contains(error_of("coupling.toml"), "gone.toml"));
     write("coupling.toml", "[participants.fluid]\nprogram = 'sph_solver'\nfile = 'fluid.toml'\n[time]\nend = 1\n");
     EXPECT_TRUE(contains(error_of("coupling.toml"), "two participants are wanted"));
 }
 
-}  // namespace
+} // namespace
