@@ -48,9 +48,9 @@ base::Table<FaultConfig> fault_table()
 {
     return base::Table<FaultConfig>("a failure to be acted out, to test how a run ends")
         .key("kind", &FaultConfig::kind,
-             {.doc =
-                  "throw: an error; nan: a value that is not a number; kill, crash, terminate, stop: SIGKILL, SIGSEGV, "
-                  "SIGTERM, SIGSTOP to itself; silent: no answer; leave: ends early",
+             {.doc = "throw: an error; nan: a value that is not a number (fluid: at a step, solid: at an exchange); "
+                     "kill, crash, terminate, stop: SIGKILL, SIGSEGV, "
+                     "SIGTERM, SIGSTOP to itself; silent: no answer; leave: ends early",
               .choices = {"none", "throw", "nan", "kill", "crash", "terminate", "stop", "silent", "leave"}})
         .key("moment", &FaultConfig::moment,
              {.doc =

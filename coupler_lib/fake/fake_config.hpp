@@ -26,7 +26,7 @@ struct FakeSolidConfig {
     PistonSurfaceConfig surface;
     OscillatorConfig piston;
     FakeRunConfig run;
-    FaultConfig fault{.moment = "exchange"};
+    FaultConfig fault;
 };
 
 /// [fluid] of fake_fluid.

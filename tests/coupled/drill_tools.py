@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Starts programs under one mpirun, makes them fail, and judges how the run ended."""
+import argparse
+import inspect
 import os
 import shlex
 import signal
@@ -107,3 +109,21 @@ class Run:
             if self.pids(program):
                 faults.append(f"{program} is still running")
         assert not faults, "; ".join(faults)
+
+
+def drill_main(namespace: dict, doc: str, more: dict | None = None) -> int:
+    """The command line of a file of drills: its functions with the one argument `programs`, and `more`."""
+    drills = {name: value for name, value in namespace.items()
+              if inspect.isfunction(value) and value.__module__ == "__main__" and [*inspect.signature(value).parameters] == ["programs"]}
+    drills |= more or {}
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
+    parser.add_argument("name", choices=[*drills, "list"])
+    parser.add_argument("--programs", type=Path)
+    arguments = parser.parse_args()
+    if arguments.name == "list":
+        print("\n".join(drills))
+        return 0
+    begin = time.monotonic()
+    drills[arguments.name](arguments.programs)
+    print(f"{arguments.name}: as it should be, {time.monotonic() - begin:.1f} s in all")
+    return 0

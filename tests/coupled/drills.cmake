@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: MIT
-# Every way a coupled run can go wrong, acted out with the fake participants; and the overlap of both sides' computing.
-execute_process(COMMAND ${RIVAGE_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/drills.py list OUTPUT_VARIABLE RIVAGE_DRILLS
-                OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/drills.py)
-string(REPLACE "\n" ";" RIVAGE_DRILLS "${RIVAGE_DRILLS}")
+# Every way a coupled run can go wrong, acted out with the fake participants, some with the solvers; and the overlap of both sides' computing.
+function(rivage_drills file processors)
+    execute_process(COMMAND ${RIVAGE_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/${file} list OUTPUT_VARIABLE drills
+                    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/${file})
+    string(REPLACE "\n" ";" drills "${drills}")
+    foreach(drill ${drills})
+        add_test(NAME drill_${drill} COMMAND ${RIVAGE_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/${file} ${drill} --programs ${CMAKE_BINARY_DIR}/bin)
+        set_tests_properties(drill_${drill} PROPERTIES LABELS drill PROCESSORS ${processors} TIMEOUT 120)
+    endforeach()
+endfunction()
+
+rivage_drills(drills.py 1)           # they mostly sleep
+rivage_drills(solver_drills.py 2)
 add_executable(stranger ${CMAKE_CURRENT_LIST_DIR}/stranger.cpp)    # calls MPI_Init and knows nothing of Rivage
 target_link_libraries(stranger PRIVATE MPI::MPI_CXX)
 set_target_properties(stranger PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests/bin)
-foreach(drill ${RIVAGE_DRILLS})
-    add_test(NAME drill_${drill} COMMAND ${RIVAGE_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/drills.py ${drill} --programs ${CMAKE_BINARY_DIR}/bin)
-    set_tests_properties(drill_${drill} PROPERTIES LABELS drill PROCESSORS 2 TIMEOUT 120)
-endforeach()
 foreach(check overlap exact_pair)
     add_test(NAME coupling_${check} COMMAND ${RIVAGE_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/${check}.py --programs ${CMAKE_BINARY_DIR}/bin)
     set_tests_properties(coupling_${check} PROPERTIES LABELS drill PROCESSORS 2 TIMEOUT 180)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A packet arrives as it was sent, or not at all.
 #include "coupler_lib/coupling/checksum.hpp"
+#include "coupler_lib/coupling/load_packet.hpp"
 #include "coupler_lib/coupling/packet.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
@@ -86,6 +87,46 @@ TEST(Checksum, TellsLengthsOrdersAndSingleBitsApart)
     const std::vector<double> ab{1, 2, 0, 0, 0, 0, 0, 0}, ba{2, 1, 0, 0, 0, 0, 0, 0}, far{1, 0, 0, 0, 2, 0, 0, 0};
     EXPECT_NE(coupler::checksum(ab.data(), 64), coupler::checksum(ba.data(), 64));
     EXPECT_NE(coupler::checksum(ab.data(), 64), coupler::checksum(far.data(), 64));
+}
+
+/// One segment with its two nodes, given to one fluid rank.
+struct OneFacet {
+    OneFacet()
+    {
+        surface.node_ids = {7, 9};
+        surface.reference = {0, 0, 1, 0};
+        surface.facet_ids = {4};
+        surface.facet_nodes = {{0, 1, -1, -1}};
+        const coupler::SurfaceMotion motion{surface.reference, surface.reference, surface.reference};
+        const coupler::RegionBox region{{-1, -1, -1}, {2, 2, 2}};
+        route.choose(surface, {0}, motion, coupler::box_around(motion.position, 2), region);
+    }
+    coupler::WetSurface surface;
+    coupler::FacetRoute route;
+};
+
+TEST(LoadSum, RefusesALoadForAnotherNumberOfNodesAndNamesBothCounts)
+{
+    const OneFacet given;
+    coupler::PacketHeader header;
+    header.flags = coupler::with_force | coupler::force_is_whole;
+    header.facets = 2;
+    header.nodes = 3;
+    coupler::PacketWriter writer;
+    writer.begin();
+    writer.put(std::vector<double>(6, 1.0));
+    writer.finish(header);
+    const std::vector<char> bytes(writer.bytes().begin(), writer.bytes().end());
+    coupler::PacketReader packet(bytes);
+    coupler::LoadSum sum(given.surface);
+    try {
+        sum.add(packet, given.route, "'fluid' (rank 0)");
+        ADD_FAILURE() << "taken";
+    } catch (const base::Error& error) {
+        EXPECT_EQ(error.code(), base::ExitCode::bad_input);
+        EXPECT_STREQ(error.what(), "'fluid' (rank 0) sent a load on 2 facets and 3 nodes, but was given 1 facets and 2 "
+                                   "nodes: the two sides have lost step with each other");
+    }
 }
 
 } // namespace
