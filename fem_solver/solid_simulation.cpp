@@ -85,6 +85,7 @@ void SolidSimulation::run()
 void SolidSimulation::run_static()
 {
     StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton));
+    solution.report_to([&](const std::string& line) { session_.log().warn(line); });
     SolidEnergies energies;
     solution.solve(motion_, config_.analysis.load_steps, [&](double factor) {
         energies.strain = model_.forces().strain_energy(motion_);
@@ -98,9 +99,23 @@ void SolidSimulation::run_static()
     finish(base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", energies.strain));
 }
 
+/// Brings the body to rest under its own weight and loads, where the motion is to start from there.
+void SolidSimulation::settle()
+{
+    if (!config_.analysis.initial_equilibrium) return;
+    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton),
+                            LoadTime::start);
+    solution.report_to([&](const std::string& line) { session_.log().warn(line); });
+    solution.solve(motion_, config_.analysis.load_steps, [](double) {});
+    session_.log().info(base::text("initial equilibrium: largest displacement ",
+                                   motion_.displacement.cwiseAbs().maxCoeff(), " m, after ", solution.iterations(),
+                                   " iterations"));
+}
+
 void SolidSimulation::run_alone()
 {
     const double end = config_.time.end;
+    settle();
     step_.start(motion_);
     write();
     base::Progress progress(session_.log(), 0, end);
@@ -119,6 +134,7 @@ void SolidSimulation::run_alone()
 void SolidSimulation::run_coupled()
 {
     const auto& coupling = session_.coupling();
+    settle();
     loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(config_, coupling));
     fluid_.emplace(session_.participant(), coupling.interface_settings(), *boundary_,
                    acceleration_steps(coupling.scheme));

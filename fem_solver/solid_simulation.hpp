@@ -24,6 +24,7 @@ public:
 private:
     void report_stability() const;
     void run_static();
+    void settle();
     void run_alone();
     void run_coupled();
     void advance(double dt);

@@ -9,7 +9,14 @@ base::Table<AnalysisConfig> analysis_table()
         .key("kind", &AnalysisConfig::kind,
              {.doc = "dynamic: motion over time; static: equilibrium, alone only", .choices = {"dynamic", "static"}})
         .key("load_steps", &AnalysisConfig::load_steps,
-             {.unit = "-", .doc = "static: parts in which the loads are raised", .min = 1, .max = 100000});
+             {.unit = "-",
+              .doc = "static and initial equilibrium: parts in which the loads are raised; one that does "
+                     "not converge is cut in halves",
+              .min = 1,
+              .max = 100000})
+        .key("initial_equilibrium", &AnalysisConfig::initial_equilibrium,
+             {.doc = "dynamic: the motion starts at rest from the equilibrium under gravity and the loads of this file "
+                     "at t = 0; a fluid's load acts from its first packet on. false: from the undeformed state"});
 }
 
 base::Table<TimeConfig> time_table()

@@ -12,6 +12,7 @@ namespace fem {
 struct AnalysisConfig {
     std::string kind = "dynamic";
     int load_steps = 4;
+    bool initial_equilibrium = false;
 };
 
 /// [time]

@@ -12,63 +12,93 @@ constexpr double shortest_stride = 1.0 / 64;
 /// A correction beyond this many times the body's size means that nothing holds the body.
 constexpr double unheld = 1e6;
 
+const char* advice(Failure::Kind kind)
+{
+    if (kind == Failure::Kind::unheld) return "Add supports, or springs, that hold the body";
+    if (kind == Failure::Kind::not_a_number) return "Check the formulas of the loads, the moduli and the density";
+    return "Check supports and loads, raise the load in more steps ([analysis] load_steps), or refine the mesh there";
+}
+
 } // namespace
 
 StaticSolution::StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                               const NewtonSettings& newton)
-    : mesh_(mesh), model_(forces), supports_(supports), newton_(newton), forces_now_(Forces::zero(forces.dofs()))
+                               const NewtonSettings& newton, LoadTime time)
+    : mesh_(mesh),
+      model_(forces),
+      supports_(supports),
+      newton_(newton),
+      forces_now_(Forces::zero(forces.dofs())),
+      time_(time)
 {}
 
 void StaticSolution::solve(Motion& motion, int load_steps, const Observer& observer)
 {
     for (int step = 1; step <= load_steps; ++step) {
-        raise(motion, static_cast<double>(step - 1) / load_steps, static_cast<double>(step) / load_steps);
+        raise(motion, step, load_steps);
         observer(static_cast<double>(step) / load_steps);
     }
 }
 
-/// Raises the load from one factor to another, in halves of halves where one stride is too long.
-void StaticSolution::raise(Motion& motion, double from, double to)
+/// Raises the load by one load step, in halves of halves where one stride is too long.
+void StaticSolution::raise(Motion& motion, int step, int load_steps)
 {
-    double stride = to - from;
-    for (double reached = from; reached < to;) {
-        const double next = to - reached <= stride * (1 + 1e-9) ? to : reached + stride;
+    const double whole = 1.0 / load_steps, end = static_cast<double>(step) / load_steps;
+    double stride = whole;
+    for (double reached = end - whole; reached < end;) {
+        const double next = end - reached <= stride * (1 + 1e-9) ? end : reached + stride;
         const Eigen::VectorXd start = motion.displacement;
         if (equilibrate(motion, next)) {
             reached = next;
+            if (easy()) stride = std::min(2 * stride, whole);
             continue;
         }
-        if (stride <= (to - from) * shortest_stride) fail(motion, next);
+        const std::string what =
+            base::text("the static solution's stride from load factor ", reached, " to ", next, " (load step ", step,
+                       " of ", load_steps, ") ", describe(failure_, mesh_, motion, newton_));
+        if (stride <= whole * shortest_stride)
+            throw base::Error(base::ExitCode::numerical_failure, what + ". " + advice(failure_.kind));
+        report_(what + "; half of it is tried");
         motion.displacement = start;
         stride *= 0.5;
     }
 }
 
-/// Full Newton at one load factor; false, with the reason noted, when it leads nowhere. The first correction takes
+/// Full Newton at one load factor; false, with the failure noted, when it leads nowhere. The first correction takes
 /// moved supports to their place and the body along.
 bool StaticSolution::equilibrate(Motion& motion, double factor)
 {
     newton_.start();
-    reason_ = "turns elements inside out";
-    if (model_.evaluate(motion, factor, forces_now_, factor).happened()) return false;
-    Eigen::VectorXd gap = supports_.gap(factor, motion.displacement);
+    if (const auto inversion = model_.evaluate(motion, factor, forces_now_, time(factor)); inversion.happened())
+        return fails({Failure::Kind::inversion, inversion});
+    Eigen::VectorXd gap = supports_.gap(time(factor), motion.displacement);
     for (;;) {
         Eigen::VectorXd residual = forces_now_.unbalanced();
         const double scale = std::max(residual.cwiseAbs().maxCoeff(), forces_now_.internal.cwiseAbs().maxCoeff());
         supports_.clear_rows(residual);
         const bool there = gap.isZero(0);
         if (newton_.converged(residual, scale, model_.round_off(motion)) && there) return true;
-        reason_ = "did not converge";
-        if (newton_.exhausted()) return false;
-        Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor, factor});
+        if (const auto node = first_not_a_number(residual); node >= 0)
+            return fails({Failure::Kind::not_a_number, {}, node / mesh_.dimension});
+        if (newton_.exhausted()) return fails({Failure::Kind::no_convergence});
+        Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor, time(factor)});
         if (!there) residual += matrix * gap;
         supports_.clear_rows(residual);
         supports_.clear(matrix, matrix.diagonal().mean());
-        solver_.factorise(matrix);
-        if (!apply(motion, gap - solver_.solve(residual), factor)) return false;
-        if (!there && !supports_.gap(factor, motion.displacement).isZero(1e-12)) return false; // cut on the way
+        if (!factorise(matrix) || !apply(motion, gap - solver_.solve(residual), factor)) return false;
+        if (!there && !supports_.gap(time(factor), motion.displacement).isZero(1e-12))
+            return fails({}); // cut on the way
         gap.setZero();
     }
+}
+
+bool StaticSolution::factorise(const Matrix& matrix)
+{
+    try {
+        solver_.factorise(matrix);
+    } catch (const base::Error&) {
+        return fails({Failure::Kind::unheld});
+    }
+    return true;
 }
 
 bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, double factor)
@@ -76,32 +106,18 @@ bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, do
     const double size = Eigen::Map<const Eigen::VectorXd>(mesh_.coordinates.data(), std::ssize(mesh_.coordinates))
                             .cwiseAbs()
                             .maxCoeff();
-    reason_ = "has a singular matrix (do the supports hold the body against every rigid motion?)";
-    if (!(correction.cwiseAbs().maxCoeff() < unheld * size)) return false; // NaN too
+    Eigen::Index farthest = 0;
+    if (!(correction.cwiseAbs().maxCoeff(&farthest) < unheld * size)) // NaN too
+        return fails({Failure::Kind::unheld, {}, static_cast<int>(farthest) / mesh_.dimension});
     double scale = 1;
     motion.displacement += correction;
-    reason_ = "turns elements inside out";
-    for (int halvings = 0; model_.evaluate(motion, factor, forces_now_, factor).happened(); ++halvings) {
-        if (halvings == max_halvings) return false;
+    for (int halvings = 0;; ++halvings) {
+        const Inversion inversion = model_.evaluate(motion, factor, forces_now_, time(factor));
+        if (!inversion.happened()) return true;
+        if (halvings == max_halvings) return fails({Failure::Kind::inversion, inversion});
         scale *= 0.5;
         motion.displacement -= scale * correction;
     }
-    return true;
-}
-
-void StaticSolution::fail(const Motion& motion, double factor) const
-{
-    const int node = static_cast<int>(newton_.worst()) / mesh_.dimension;
-    std::string displaced;
-    for (int k = 0; k < mesh_.dimension; ++k)
-        displaced += base::text(k > 0 ? ", " : "", motion.displacement[node * mesh_.dimension + k]);
-    const double residual = newton_.residuals().empty() ? 0 : newton_.residuals().back();
-    throw base::Error(base::ExitCode::numerical_failure,
-                      base::text("the static solution ", reason_, " at load factor ", factor, ": after ",
-                                 newton_.residuals().size(), " iterations the largest residual is ", residual,
-                                 " N at node ", node, ", reference position ", mesh_.describe_node(node),
-                                 " m, displacement (", displaced,
-                                 ") m. Check supports and loads, or raise the load in more steps"));
 }
 
 } // namespace fem

@@ -4,25 +4,35 @@
 #include "fem_solver/assembly/solid_forces.hpp"
 #include "fem_solver/dofs/supports.hpp"
 #include "fem_solver/solve/linear_solver.hpp"
-#include "fem_solver/solve/newton.hpp"
+#include "fem_solver/time/failure.hpp"
 
 #include <functional>
 #include <string>
 
 namespace fem {
 
+/// The t that a static solution gives to the formulas of loads and supports.
+enum class LoadTime {
+    factor, ///< the load factor
+    start   ///< zero: the state in which a motion begins
+};
+
 /// Equilibrium f_int(u) = s f_ext(u) for load factors s that rise to 1 in equal parts, by full Newton.
-/// A part that does not converge is cut into shorter strides.
+/// A part that does not converge is cut into shorter strides, which grow again after one that was easy.
 class StaticSolution {
 public:
     /// All references outlive the object.
-    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const NewtonSettings& newton);
+    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const NewtonSettings& newton,
+                   LoadTime time = LoadTime::factor);
 
     /// Called after each load step with the load factor.
     using Observer = std::function<void(double factor)>;
+    /// Called with a line for the log whenever a stride is cut.
+    using Reporter = std::function<void(const std::string& line)>;
+    void report_to(Reporter reporter) { report_ = std::move(reporter); }
 
-    /// Raises the load in `load_steps` parts from the motion's displacement; velocity and acceleration stay zero.
-    /// \throws base::Error numerical_failure naming the worst node, its position and the load factor.
+    /// Raises the load in `load_steps` parts from the motion's displacement; velocity and acceleration stay as they
+    /// are. \throws base::Error numerical_failure naming the stride, node or element, and position.
     void solve(Motion& motion, int load_steps, const Observer& observer);
 
     /// Forces of the supports in equilibrium, zero elsewhere [N] (2D: N/m).
@@ -32,10 +42,17 @@ public:
     long iterations() const { return solver_.factorisations(); }
 
 private:
-    void raise(Motion& motion, double from, double to);
+    void raise(Motion& motion, int step, int load_steps);
+    double time(double factor) const { return time_ == LoadTime::factor ? factor : 0; }
     bool equilibrate(Motion& motion, double factor);
+    bool factorise(const Matrix& matrix);
     bool apply(Motion& motion, const Eigen::VectorXd& correction, double factor);
-    [[noreturn]] void fail(const Motion& motion, double factor) const;
+    bool easy() const { return std::ssize(newton_.residuals()) <= easy_iterations; }
+    bool fails(const Failure& failure)
+    {
+        failure_ = failure;
+        return false;
+    }
 
     const Mesh& mesh_;
     const SolidForces& model_;
@@ -43,7 +60,11 @@ private:
     NewtonMonitor newton_;
     LinearSolver solver_;
     Forces forces_now_;
-    std::string reason_; // of the last failure
+    LoadTime time_;
+    Reporter report_ = [](const std::string&) {};
+    Failure failure_; // the last one
+    /// A stride with no more residuals than this may be followed by one twice as long.
+    static constexpr std::ptrdiff_t easy_iterations = 8;
 };
 
 } // namespace fem

@@ -26,6 +26,11 @@ def run(folder: str, *options: str) -> subprocess.CompletedProcess:
     return subprocess.run(line, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=100, check=False)
 
 
+def read(path: Path) -> list[dict]:
+    with path.open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
 class FemProgram(unittest.TestCase):
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory(prefix="rivage_")
@@ -42,8 +47,7 @@ class FemProgram(unittest.TestCase):
         result = run(self.out, "solid.analysis.kind=dynamic", "solid.time.dt=1e-4", "solid.time.end=2e-3",
                      "solid.mesh.cells=[2, 20]")
         self.assertEqual(result.returncode, 0, result.stderr)
-        with Path(self.out, "solid", "energy.csv").open(encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        rows = read(Path(self.out, "solid", "energy.csv"))
         self.assertEqual(len(rows), 21)
         self.assertAlmostEqual(float(rows[-1]["t[s]"]), 2e-3, places=12)
         work = float(rows[-1]["work_loads[J/m]"])
@@ -51,6 +55,17 @@ class FemProgram(unittest.TestCase):
         self.assertLess(abs(float(rows[-1]["balance_error[J/m]"])), 1e-8 * work)
         summary = json.loads(Path(self.out, "solid", "summary.json").read_text(encoding="utf-8"))
         self.assertEqual(summary["steps"], 20)
+
+    def test_a_dynamic_run_may_start_in_equilibrium(self) -> None:
+        coarse = "solid.mesh.cells=[2, 20]"
+        run(f"{self.out}/static", coarse)
+        result = run(f"{self.out}/dynamic", coarse, "solid.analysis.kind=dynamic", "solid.time.dt=1e-3", "solid.time.end=5e-3",
+                     "solid.analysis.initial_equilibrium=true")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        tips = [[float(row["tip.ux[m]"]) for row in read(Path(self.out, kind, "solid", "probes.csv"))]
+                for kind in ("static", "dynamic")]
+        for tip in tips[1]:
+            self.assertAlmostEqual(tip, tips[0][-1], delta=1e-8)
 
     def test_same_input_gives_the_same_bits(self) -> None:
         hashes = []

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/time/solid_step.hpp"
 #include "fem_solver/time/static_solution.hpp"
 #include "tests/fem_solver/support/gate.hpp"
 
@@ -101,6 +102,49 @@ TEST(GateStatic, NewtonConvergesQuadratically)
     const auto n = r.size();
     EXPECT_LT(r[n - 2], 1e-3 * r[n - 3]);
     EXPECT_LT(r[n - 1], 1e-3 * r[n - 2]);
+}
+
+/// One load step with few iterations allowed: strides are cut, each is reported, and grow again; the answer is the same.
+TEST(GateStatic, AStrideThatIsTooLongIsCut)
+{
+    Gate gate(ElementType::quad8, rubber(), {}, {2, 20});
+    gate.add_water();
+    const auto solve = [&](int load_steps, int max_iterations, std::vector<std::string>& cuts) {
+        StaticSolution solution(gate.mesh, gate.forces, gate.supports, {1e-11, max_iterations, 0.1});
+        solution.report_to([&](const std::string& line) { cuts.push_back(line); });
+        Motion motion = Motion::at_rest(gate.forces.dofs());
+        solution.solve(motion, load_steps, [](double) {});
+        return motion.displacement[gate.tip];
+    };
+    std::vector<std::string> none, cuts;
+    const double expected = solve(4, 25, none);
+    EXPECT_NEAR(solve(1, 5, cuts), expected, 1e-9);
+    EXPECT_TRUE(none.empty());
+    ASSERT_FALSE(cuts.empty());
+    EXPECT_NE(cuts.front().find("from load factor 0 to 1 (load step 1 of 1) did not converge in 6"), std::string::npos)
+        << cuts.front();
+}
+
+/// Equilibrium under gravity and the water as at t = 0, then HHT: nothing moves, although the load's factor is 1 only there.
+TEST(GateStatic, AMotionThatStartsInEquilibriumStaysThere)
+{
+    Gate gate(ElementType::quad8, rubber(), {}, {2, 20});
+    gate.forces.set_gravity({0, -9.81});
+    const auto water = [](const double* x) { return 1000 * 9.81 * (0.14 - x[1]); };
+    gate.forces.add_load(make_follower_pressure(gate.mesh, gate.forces.pattern(), gate.mesh.faces("left"), water),
+                         "water", [](double t) { return t < 0.01 ? 1.0 : 0.0; });
+    StaticSolution solution(gate.mesh, gate.forces, gate.supports, {1e-11, 25, 0.1}, LoadTime::start);
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    solution.solve(motion, 4, [](double) {});
+    const double settled = motion.displacement[gate.tip];
+    EXPECT_GT(settled, 0.03);
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-11, 25, 0.1});
+    step.start(motion);
+    for (int i = 0; i < 9; ++i) step.advance(motion, 1e-3);
+    EXPECT_NEAR(motion.displacement[gate.tip], settled, 1e-9);
+    EXPECT_LT(step.energies().kinetic, 1e-14 * step.energies().strain);
+    for (int i = 0; i < 9; ++i) step.advance(motion, 1e-3); // the load is gone
+    EXPECT_LT(motion.displacement[gate.tip], 0.95 * settled);
 }
 
 TEST(GateStatic, ABodyThatNothingHoldsIsReported)
