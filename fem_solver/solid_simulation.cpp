@@ -2,6 +2,7 @@
 #include "fem_solver/solid_simulation.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/data_flow.hpp"
 #include "fem_solver/material/stability.hpp"
 #include "fem_solver/output/state_hash.hpp"
 #include "fem_solver/time/static_solution.hpp"
@@ -69,6 +70,7 @@ void SolidSimulation::check() const
 {
     session_.log().info(base::text("the input is in order: ", model_.mesh().elements(), " elements ",
                                    name_of(model_.mesh().type), ", ", model_.mesh().nodes(), " nodes"));
+    if (session_.coupled()) session_.check_flow(data_flow(config_, model_, session_));
 }
 
 void SolidSimulation::run()

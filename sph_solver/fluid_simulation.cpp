@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/fluid_simulation.hpp"
 
+#include "sph_solver/data_flow.hpp"
 #include "sph_solver/operators/viscous_force.hpp"
 #include "sph_solver/output/state_hash.hpp"
 #include "sph_solver/setup/initial_state.hpp"
@@ -92,6 +93,7 @@ template<int D> void FluidSimulation<D>::check()
     require_dry_walls(walls_, session_.comm(), deepest_start);
     const auto count = session_.comm().sum(static_cast<std::int64_t>(particles_.owned.size()));
     session_.log().info(base::text("the input is in order: ", count, " particles in ", D, "D"));
+    if (session_.coupled()) session_.check_flow(data_flow(config_, session_));
 }
 
 template<int D> void FluidSimulation<D>::run()

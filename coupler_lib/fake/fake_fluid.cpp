@@ -159,7 +159,14 @@ int main(int argc, char** argv)
         auto reader = session.reader();
         const FakeFluidConfig config = read_fake_fluid(reader);
         base::require_input(session.coupled(), "fake_fluid runs coupled only: give it coupling.toml");
-        if (session.check_only()) return;
+        if (session.check_only()) {
+            DataFlow flow;
+            flow.dimension = 2;
+            flow.fields = interface_fields(2, session.coupling().interface.load, true);
+            flow.dt = config.fluid.dt;
+            flow.impedance = config.fluid.impedance;
+            return session.check_flow(flow);
+        }
         PressureRun(session, config).run();
     });
 }

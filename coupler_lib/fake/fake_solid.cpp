@@ -154,7 +154,16 @@ int main(int argc, char** argv)
         auto reader = session.reader();
         const FakeSolidConfig config = read_fake_solid(reader);
         base::require_input(session.coupled(), "fake_solid runs coupled only: give it coupling.toml");
-        if (session.check_only()) return;
+        if (session.check_only()) {
+            DataFlow flow;
+            flow.dimension = 2;
+            flow.fields = interface_fields(2, session.coupling().interface.load, false);
+            flow.groups = {{"piston", config.surface.facets}};
+            flow.density = config.piston.mass; // a rigid piston answers as a whole: a layer of 1 m
+            flow.wave_speed = 1e30;
+            flow.thickness = 1;
+            return session.check_flow(flow);
+        }
         PistonRun(session, config).run();
     });
 }

@@ -8,11 +8,12 @@ namespace coupler {
 
 /// What a program of Rivage can be told on its command line.
 struct CommandLine {
-    std::string file;                                            ///< coupling.toml, or the program's own file to run alone
-    std::string role;                                            ///< --as
-    std::string output_dir;                                      ///< --out
-    std::vector<std::pair<std::string, std::string>> overrides;  ///< --set KEY=VALUE, in order
-    bool check_only = false;                                     ///< --check
+    std::string file;       ///< coupling.toml, or the program's own file to run alone
+    std::string role;       ///< --as
+    std::string output_dir; ///< --out
+    std::vector<std::pair<std::string, std::string>> overrides; ///< --set KEY=VALUE, in order
+    bool check_only = false;                                    ///< --check
+    bool describe = false; ///< --describe: print what the check needs, nothing else
 };
 
 /// What came of reading a command line: go on, or leave at once with a text for the terminal.
@@ -29,4 +30,4 @@ struct ParsedCommandLine {
 ParsedCommandLine parse_command_line(int argc, char** argv, const std::string& program, const std::string& purpose,
                                      std::string (*key_help)(const void* context), const void* context);
 
-}  // namespace coupler
+} // namespace coupler

@@ -63,6 +63,12 @@ Preparation prepare(const ProgramInfo& program, const CommandLine& command)
             settings.silence_timeout = made.files.coupling->scheme.silence_timeout;
             settings.wait = made.files.coupling->scheme.wait_style();
         }
+        if (made.files.coupling && command.check_only && started_alone()) {
+            settings.expected_roles = {settings.role};
+            made.files.describe = command.describe;
+            if (!command.describe)
+                made.files.partners = describe_partners(*made.files.coupling, command, settings.role);
+        }
     } catch (const base::Error& error) {
         settings.failure = error.what();
         settings.failure_code = error.code();

@@ -2,9 +2,11 @@
 #include "coupler_lib/session/session.hpp"
 
 #include "coupler_lib/base/version.hpp"
+#include "coupler_lib/session/data_flow_check.hpp"
 #include "coupler_lib/session/wait_balance.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -15,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int summary_tag = 7301, used_config_tag = 7302, wait_tag = 7303;
+constexpr int summary_tag = 7301, used_config_tag = 7302, wait_tag = 7303, flow_tag = 7304;
 
 /// Largest resident memory of this rank so far [MB].
 double peak_memory()
@@ -81,7 +83,7 @@ Session::Session(Participant& participant, const RunFiles& files, bool check_onl
     : participant_(&participant), files_(files), check_only_(check_only), own_folder_(files.role)
 {
     if (check_only_) {
-        if (is_root()) log_ = base::Log(files_.role, "");
+        if (is_root() && !files_.describe) log_ = base::Log(files_.role, "");
         return;
     }
     if (is_root()) {
@@ -138,6 +140,32 @@ std::string Session::wait_balance(const WaitShare& mine)
     const std::string advice = wait_advice(waits);
     if (!advice.empty()) log_.info("waits: " + advice);
     return advice;
+}
+
+void Session::check_flow(DataFlow mine)
+{
+    mine.role = role();
+    if (files_.describe) {
+        if (is_root()) std::fputs(to_text(mine).c_str(), stdout);
+        return;
+    }
+    std::vector<DataFlow> sides;
+    for (const auto& [name, text] : gather_texts(*participant_, to_text(mine), flow_tag))
+        sides.push_back(data_flow_from(text));
+    for (const auto& partner : files_.partners) {
+        if (partner.flow)
+            sides.push_back(*partner.flow);
+        else
+            log_.warn(partner.role + " is left out of the check: " + partner.note);
+    }
+    if (participant_->world_rank() != 0) return;
+    const FlowReport report = check_data_flow(coupling(), sides);
+    for (const auto& fact : report.facts) log_.info(fact);
+    for (const auto& advice : report.advice) log_.warn(advice);
+    std::string problems;
+    for (const auto& problem : report.problems) problems += "\n  " + problem;
+    base::require_input(problems.empty(), "the participants do not fit together:", problems);
+    log_.info(sides.size() == coupling().participants.size() ? "the data flow is complete" : "this side is in order");
 }
 
 } // namespace coupler

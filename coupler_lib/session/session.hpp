@@ -6,6 +6,7 @@
 #include "coupler_lib/coupling/participant.hpp"
 #include "coupler_lib/session/command_line.hpp"
 #include "coupler_lib/session/coupling_config.hpp"
+#include "coupler_lib/session/partner_description.hpp"
 #include "coupler_lib/session/wait_balance.hpp"
 
 #include <functional>
@@ -32,11 +33,13 @@ struct RunFiles {
     std::string coupling_file; ///< path, or of the own file when alone
     std::string case_dir;      ///< folder of the file given on the command line
     std::string output_dir;
-    std::string config_hash;   ///< of the shared file and all overrides
-    std::string own_file;      ///< path
-    std::string own_hash;      ///< of its content
-    std::string used_coupling; ///< coupling.toml with its defaults, as TOML
-    std::string used_own;      ///< the own file likewise
+    std::string config_hash;                  ///< of the shared file and all overrides
+    std::string own_file;                     ///< path
+    std::string own_hash;                     ///< of its content
+    bool describe = false;                    ///< --describe
+    std::vector<PartnerDescription> partners; ///< of a check without mpirun
+    std::string used_coupling;                ///< coupling.toml with its defaults, as TOML
+    std::string used_own;                     ///< the own file likewise
 };
 
 /// Reads everything, checks every key. Throws Error(bad_input) with file, line, column.
@@ -66,6 +69,10 @@ public:
     const base::Log& log() const { return log_; }
     base::TimerTree& timers() { return timers_; }
     double wall_seconds() const { return watch_.seconds(); }
+
+    /// For --check, on every rank of the participant: compares what the participants tell about themselves and logs it.
+    /// Throws Error(bad_input) on world rank 0 when they do not fit together. \param mine  the role is filled in here
+    void check_flow(DataFlow mine);
 
     /// Collective over the participant: adds the run's common figures, then writes DIR/<role>/summary.json; the
     /// participant that owns world rank 0 also gathers them all in DIR/summary.json. Call once, at the end.

@@ -3,12 +3,14 @@
 
 usage: solver_drills.py NAME --programs BIN_FOLDER        (NAME: one of the functions below; "list" prints them)
 """
+import os
 import signal
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from drill_tools import Run, Segment, drill_main
+from drill_tools import ENVIRONMENT, Run, Segment, drill_main
 
 CASE = Path(__file__).resolve().parents[2] / "cases" / "elastic_gate_small" / "coupling.toml"
 EVERY_STEP = ("coupling.output.table_interval=0",)
@@ -73,6 +75,34 @@ def solver_one_segment(programs):
         wrapped = ("sh", "-c", pick, "sh", str(CASE), "--out", folder, "--set", "coupling.time.end=0.002")
         Run(programs, [Segment(ranks=3, command=wrapped)]).finish().expect(0, within=60, messages=0)
         assert (Path(folder) / "summary.json").exists()
+
+
+def check(program: Path, *settings: str) -> tuple[int, str]:
+    """--check without mpirun: exit code and everything printed."""
+    line = [str(program), str(CASE), "--check", *(word for setting in settings for word in ("--set", setting))]
+    done = subprocess.run(line, env=os.environ | ENVIRONMENT, capture_output=True, text=True, timeout=60, check=False)
+    print(done.stdout, done.stderr)
+    return done.returncode, done.stdout + done.stderr
+
+
+FLOW = ("fluid -> solid: force [N/m]", "solid -> fluid: velocity [m/s]", "solid brings the surface 'left': 40 facets",
+        "fluid sets the step, dt = 6.15e-05 s", "rho c dt / m = 0.335", "the data flow is complete")
+
+
+def solver_check_without_mpirun(programs):
+    for program in ("sph_solver", "fem_solver"):
+        code, text = check(programs / program)
+        assert code == 0 and all(piece in text for piece in FLOW), f"{program} lacks {[p for p in FLOW if p not in text]}"
+        code, text = check(programs / program, 'solid.interface.groups=["lefft"]')
+        assert code == 2 and "'lefft'" in text, f"{program} does not name the group"
+        code, text = check(programs / program, "solid.end=1")
+        assert code == 2 and "end" in text, f"{program} does not name the key"
+
+
+def solver_check_under_mpirun(programs):
+    run = Run(programs, [Segment("sph_solver", ranks=2, file=CASE, arguments=("--check",)), Segment("fem_solver", file=CASE, arguments=("--check",))])
+    run.finish().expect(0, *FLOW, messages=0)
+    assert not run.out.exists()
 
 
 if __name__ == "__main__":

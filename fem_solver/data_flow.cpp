@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/data_flow.hpp"
+
+#include "fem_solver/material/point_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fem {
+namespace {
+
+/// Speed of compression waves at small strain, c_s = sqrt(A_1111 / rho) with A = dP/dF at F = 1 [m/s].
+template<int D> double wave_speed(const SolidConfig& config)
+{
+    const auto law = make_point_law<D>(make_material(config.material));
+    return std::sqrt(law->tangent(Tensor<D>::Identity())(0, 0) / config.material.density);
+}
+
+/// Smallest side of the box around the body [m].
+double thickness(const Mesh& mesh)
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < mesh.dimension; ++d) {
+        double low = mesh.node(0)[d], high = low;
+        for (int node = 0; node < mesh.nodes(); ++node) {
+            low = std::min(low, mesh.node(node)[d]);
+            high = std::max(high, mesh.node(node)[d]);
+        }
+        smallest = std::min(smallest, high - low);
+    }
+    return smallest;
+}
+
+} // namespace
+
+coupler::DataFlow data_flow(const SolidConfig& config, const SolidModel& model, const coupler::Session& session)
+{
+    coupler::DataFlow flow;
+    flow.dimension = model.mesh().dimension;
+    flow.fields = coupler::interface_fields(flow.dimension, session.coupling().interface.load, false);
+    for (const auto& group : config.interface.groups)
+        flow.groups.emplace_back(group, static_cast<int>(model.mesh().faces(group).size()));
+    flow.end = config.time.end;
+    flow.dt = config.time.dt;
+    flow.density = config.material.density;
+    flow.wave_speed = flow.dimension == 2 ? wave_speed<2>(config) : wave_speed<3>(config);
+    flow.thickness = thickness(model.mesh());
+    return flow;
+}
+
+} // namespace fem
