@@ -19,6 +19,9 @@ std::vector<std::string> reaction_columns(const SolidModel& model)
     const int d = model.mesh().dimension;
     for (const std::string& group : model.supports().groups())
         for (int k = 0; k < d; ++k) columns.push_back(group + ".f" + "xyz"[k] + (d == 2 ? "[N/m]" : "[N]"));
+    for (const auto& driven : model.supports().driven())
+        for (int k = d == 2 ? 2 : 0; k < 3; ++k)
+            columns.push_back(driven.group + ".m" + "xyz"[k] + (d == 2 ? "[N m/m]" : "[N m]"));
     return columns;
 }
 
@@ -39,7 +42,7 @@ SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, c
       probes_(model.mesh(), config.probes),
       row_clock_(table_interval(config, session), Zero::every_step),
       field_clock_(field_interval(config, session), Zero::never),
-      energy_table_(session.own_dir(), model.mesh().dimension, model.forces().load_names()),
+      energy_table_(session.own_dir(), model.mesh().dimension, model.forces().load_names(), model.supports().groups()),
       probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
       reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
       fields_(session.own_dir(), model.mesh(), session.comm())
@@ -54,7 +57,7 @@ void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEne
         row.insert(row.begin(), now.time);
         probe_table_.row(row);
         probe_table_.flush();
-        row = reactions(reaction);
+        row = reactions(now.time, motion, reaction);
         row.insert(row.begin(), now.time);
         reaction_table_.row(row);
         reaction_table_.flush();
@@ -63,11 +66,15 @@ void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEne
         fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement));
 }
 
-std::vector<double> SolidOutput::reactions(const Eigen::VectorXd& reaction) const
+std::vector<double> SolidOutput::reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const
 {
     std::vector<double> sums;
     for (const std::string& group : model_.supports().groups())
         for (const double sum : model_.supports().reaction(group, reaction)) sums.push_back(sum);
+    for (const auto& driven : model_.supports().driven()) {
+        const Eigen::Vector3d moment = model_.supports().moment(driven, time, motion, reaction);
+        sums.insert(sums.end(), moment.data() + (model_.mesh().dimension == 2 ? 2 : 0), moment.data() + 3);
+    }
     return sums;
 }
 

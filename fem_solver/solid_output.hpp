@@ -28,7 +28,7 @@ public:
                const Eigen::VectorXd& reaction);
 
 private:
-    std::vector<double> reactions(const Eigen::VectorXd& reaction) const;
+    std::vector<double> reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const;
 
     const SolidModel& model_;
     Probes probes_;

@@ -20,6 +20,28 @@ base::Table<SupportConfig> support_table()
               .positive = true});
 }
 
+base::Table<DriveConfig> drive_table()
+{
+    return base::Table<DriveConfig>(
+               "a group of nodes moved as a rigid body: a shift of its centre and a turn about it; the moment of its "
+               "reaction is in reactions.csv, its work in energy.csv")
+        .key("group", &DriveConfig::group, {.doc = "of the mesh", .required = true})
+        .key("centre", &DriveConfig::centre,
+             {.unit = "m", .doc = "point of the turn in the reference state", .required = true})
+        .key("axis", &DriveConfig::axis, {.unit = "-", .doc = "of the turn, 3D; 2D turns about z"})
+        .key("x", &DriveConfig::x,
+             {.unit = "m",
+              .doc = "shift of the centre, a formula of the time t [s]; velocity and acceleration are its derivatives. "
+                     "Static: t is the load factor, 0 to 1"})
+        .key("y", &DriveConfig::y, {.unit = "m", .doc = "along y"})
+        .key("z", &DriveConfig::z, {.unit = "m", .doc = "along z, 3D"})
+        .key("angle", &DriveConfig::angle, {.unit = "rad", .doc = "of the turn, a formula of the time t [s]"})
+        .key("derivative_step", &DriveConfig::derivative_step,
+             {.unit = "s",
+              .doc = "h of the formulas' derivatives, central differences of sixth order; short against the motion",
+              .positive = true});
+}
+
 base::Table<LoadConfig> load_table()
 {
     return base::Table<LoadConfig>("a load on a group of faces or nodes, or on a node")

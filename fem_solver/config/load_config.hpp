@@ -17,6 +17,14 @@ struct SupportConfig {
     double derivative_step = 1e-4;
 };
 
+/// [[drives]]: groups moved as rigid bodies.
+struct DriveConfig {
+    std::string group;
+    std::vector<double> centre, axis;
+    base::Formula x{"0"}, y{"0"}, z{"0"}, angle{"0"};
+    double derivative_step = 1e-4;
+};
+
 /// [[loads]]
 struct LoadConfig {
     std::string name;
@@ -39,6 +47,7 @@ struct InterfaceConfig {
 };
 
 base::Table<SupportConfig> support_table();
+base::Table<DriveConfig> drive_table();
 base::Table<LoadConfig> load_table();
 base::Table<InterfaceConfig> interface_table();
 

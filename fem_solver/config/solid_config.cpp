@@ -116,6 +116,16 @@ void check_support(const SupportConfig& support, const base::ConfigReader& reade
                         reader.where(path), ": a component is fixed and has a displacement; give one of them");
 }
 
+void check_drive(const DriveConfig& drive, const base::ConfigReader& reader, const std::string& path, int dimension)
+{
+    require_size(reader, drive.centre, path + ".centre", dimension);
+    base::require_input(dimension == 3 || drive.axis.empty(), reader.where(path + ".axis"),
+                        ": in 2D a drive turns about z; leave the axis out");
+    if (dimension == 2 || (drive.axis.empty() && drive.angle.text == "0")) return;
+    require_size(reader, drive.axis, path + ".axis", dimension);
+    base::require_input(drive.axis != std::vector<double>(3, 0.0), reader.where(path + ".axis"), ": the axis is zero");
+}
+
 void check_probes(const SolidConfig& config, const base::ConfigReader& reader)
 {
     std::set<std::string> names;
@@ -138,6 +148,7 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
     config.gravity = reader.table("gravity", gravity_table());
     config.damping = reader.table("damping", damping_table());
     config.supports = reader.tables("supports", support_table());
+    config.drives = reader.tables("drives", drive_table());
     config.loads = reader.tables("loads", load_table());
     config.interface = reader.table("interface", interface_table());
     config.analysis = reader.table("analysis", analysis_table());
@@ -157,6 +168,8 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
         check_load(config.loads[k], reader, element("loads", k), config.model.dimension);
     for (std::size_t k = 0; k < config.supports.size(); ++k)
         check_support(config.supports[k], reader, element("supports", k), config.model.dimension);
+    for (std::size_t k = 0; k < config.drives.size(); ++k)
+        check_drive(config.drives[k], reader, element("drives", k), config.model.dimension);
     check_probes(config, reader);
     return config;
 }

@@ -16,6 +16,7 @@ struct SolidConfig {
     GravityConfig gravity;
     DampingConfig damping;
     std::vector<SupportConfig> supports;
+    std::vector<DriveConfig> drives;
     std::vector<LoadConfig> loads;
     InterfaceConfig interface;
     AnalysisConfig analysis;

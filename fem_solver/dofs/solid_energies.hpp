@@ -11,10 +11,11 @@ struct SolidEnergies {
     double work_interface = 0;  ///< by the fluid, the impedance correction included
     double work_correction = 0; ///< the correction's part of it
     double work_supports = 0, work_loads = 0;
-    std::vector<double> work_of_load; ///< parts of work_loads, one for each load
-    double damping = 0;               ///< dissipated by C v
-    double numerical_dissipation = 0; ///< of the time scheme; second order in dt and not of one sign
-    double balance_error = 0;         ///< what is left of the energy identity, see EnergyLedger
+    std::vector<double> work_of_load;    ///< parts of work_loads, one for each load
+    std::vector<double> work_of_support; ///< parts of work_supports, one for each supported group
+    double damping = 0;                  ///< dissipated by C v
+    double numerical_dissipation = 0;    ///< of the time scheme; second order in dt and not of one sign
+    double balance_error = 0;            ///< what is left of the energy identity, see EnergyLedger
 
     double total() const { return kinetic + strain + potential; }
 };

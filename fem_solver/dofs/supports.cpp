@@ -3,6 +3,8 @@
 
 #include "coupler_lib/foundation/check.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace fem {
@@ -13,12 +15,14 @@ std::vector<int> Supports::hold(const std::string& group, const std::string& com
     const auto k = component.size() == 1 ? names.find(component) : std::string::npos;
     base::require_input(k != std::string::npos, "support of group '", group, "': '", component,
                         "' is no direction of a ", mesh_->dimension, "D model");
+    if (std::ranges::count(groups_, group) == 0) groups_.push_back(group);
+    const int owner = static_cast<int>(std::ranges::find(groups_, group) - groups_.begin());
     std::vector<int> dofs;
     for (const int node : mesh_->group_nodes(group)) {
         dofs.push_back(node * mesh_->dimension + static_cast<int>(k));
         fixed_[dofs.back()] = 1;
+        if (owner_[dofs.back()] < 0) owner_[dofs.back()] = owner;
     }
-    if (std::ranges::count(groups_, group) == 0) groups_.push_back(group);
     return dofs;
 }
 
@@ -31,6 +35,16 @@ void Supports::fix(const std::string& group, const std::vector<std::string>& com
 void Supports::prescribe(const std::string& group, const std::string& component, const Path& path)
 {
     for (const int dof : hold(group, component)) moved_.push_back({dof, path(mesh_->node(dof / mesh_->dimension))});
+}
+
+void Supports::drive(const std::string& group, std::shared_ptr<const RigidDrive> drive)
+{
+    for (int k = 0; k < mesh_->dimension; ++k)
+        prescribe(group, std::string(1, "xyz"[k]), [&](const double* x) -> base::TimeFunction {
+            const Eigen::Vector3d reference(x[0], x[1], mesh_->dimension == 3 ? x[2] : 0);
+            return [=](double t) { return drive->displacement(reference, k, t); };
+        });
+    driven_.push_back({group, std::move(drive)});
 }
 
 void Supports::set_motion(double time, Motion& motion) const
@@ -79,6 +93,31 @@ std::vector<double> Supports::reaction(const std::string& group, const Eigen::Ve
         for (int k = 0; k < d; ++k)
             if (fixed_[node * d + k]) sum[k] += forces[node * d + k];
     return sum;
+}
+
+Eigen::Vector3d Supports::moment(const Driven& driven, double time, const Motion& motion,
+                                 const Eigen::VectorXd& forces) const
+{
+    const int d = mesh_->dimension;
+    const Eigen::Vector3d centre = driven.drive->centre(time);
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (const int node : mesh_->group_nodes(driven.group)) {
+        Eigen::Vector3d arm = -centre, force = Eigen::Vector3d::Zero();
+        for (int k = 0; k < d; ++k) {
+            arm[k] += mesh_->node(node)[k] + motion.displacement[node * d + k];
+            force[k] = forces[node * d + k];
+        }
+        moment += arm.cross(force);
+    }
+    return moment;
+}
+
+std::vector<double> Supports::sums(const Eigen::VectorXd& vector) const
+{
+    std::vector<double> sums(groups_.size(), 0.0);
+    for (std::size_t i = 0; i < owner_.size(); ++i)
+        if (owner_[i] >= 0) sums[owner_[i]] += vector[static_cast<Eigen::Index>(i)];
+    return sums;
 }
 
 } // namespace fem

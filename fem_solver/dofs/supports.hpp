@@ -3,9 +3,11 @@
 
 #include "coupler_lib/base/time_function.hpp"
 #include "fem_solver/dofs/motion.hpp"
+#include "fem_solver/dofs/rigid_drive.hpp"
 #include "fem_solver/dofs/sparse_matrix.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,9 @@ namespace fem {
 /// Components of the nodes of named groups that are held, at zero displacement or on a given path.
 class Supports {
 public:
-    explicit Supports(const Mesh& mesh) : mesh_(&mesh), fixed_(mesh.coordinates.size(), 0) {}
+    explicit Supports(const Mesh& mesh)
+        : mesh_(&mesh), fixed_(mesh.coordinates.size(), 0), owner_(mesh.coordinates.size(), -1)
+    {}
 
     /// Holds components ("x", "y", "z") of a node group.
     /// \throws base::Error bad_input for an unknown group or component.
@@ -24,6 +28,9 @@ public:
     using Path = std::function<base::TimeFunction(const double* reference)>;
     /// Moves a component of a node group on a path. \throws as fix.
     void prescribe(const std::string& group, const std::string& component, const Path& path);
+
+    /// Moves all nodes of a group as one rigid body. \throws as fix.
+    void drive(const std::string& group, std::shared_ptr<const RigidDrive> drive);
 
     /// Whether any component is moved.
     bool moves() const { return !moved_.empty(); }
@@ -44,6 +51,18 @@ public:
     Eigen::VectorXd held_part(const Eigen::VectorXd& forces) const;
     /// Sum of the held entries over the nodes of a group: its reaction, one entry per dimension [N] (2D: N/m).
     std::vector<double> reaction(const std::string& group, const Eigen::VectorXd& forces) const;
+    /// Groups that are driven as rigid bodies.
+    struct Driven {
+        std::string group;
+        std::shared_ptr<const RigidDrive> drive;
+    };
+    const std::vector<Driven>& driven() const { return driven_; }
+    /// Moment of the reaction of a driven group about the present place of its centre [N m] (2D: N m/m, along z).
+    Eigen::Vector3d moment(const Driven& driven, double time, const Motion& motion,
+                           const Eigen::VectorXd& forces) const;
+    /// Sums of a vector over the entries that each group holds, in the order of `groups`; an entry that two groups hold
+    /// belongs to the first, so that the sums add up to that over all held entries.
+    std::vector<double> sums(const Eigen::VectorXd& vector) const;
 
 private:
     /// Holds one component of a group; returns its entries in the vectors over all nodes.
@@ -55,7 +74,9 @@ private:
     };
     const Mesh* mesh_;
     std::vector<char> fixed_;
+    std::vector<int> owner_; // number of the group that holds an entry first, or -1
     std::vector<std::string> groups_;
+    std::vector<Driven> driven_;
     std::vector<Moved> moved_;
 };
 

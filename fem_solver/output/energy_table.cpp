@@ -4,21 +4,27 @@
 namespace fem {
 namespace {
 
-std::vector<std::string> header(int dimension, const std::vector<std::string>& loads)
+std::vector<std::string> header(int dimension, const std::vector<std::string>& loads,
+                                const std::vector<std::string>& supports)
 {
     std::vector<std::string> columns{"t[s]", "dt[s]"};
     for (const char* name :
          {"kinetic", "strain", "potential", "work_interface", "work_supports", "work_loads", "contact", "friction",
           "numerical_dissipation", "balance_error", "damping", "work_correction"})
         columns.push_back(std::string(name) + (dimension == 2 ? "[J/m]" : "[J]"));
-    for (const std::string& name : loads) columns.push_back("work_load." + name + (dimension == 2 ? "[J/m]" : "[J]"));
+    const char* unit = dimension == 2 ? "[J/m]" : "[J]";
+    for (const std::string& name : loads) columns.push_back("work_load." + name + unit);
+    for (const std::string& name : supports) columns.push_back("work_support." + name + unit);
     return columns;
 }
 
 } // namespace
 
-EnergyTable::EnergyTable(const std::string& folder, int dimension, const std::vector<std::string>& loads)
-    : loads_(loads.size()), file_(folder + "/energy.csv", header(dimension, loads))
+EnergyTable::EnergyTable(const std::string& folder, int dimension, const std::vector<std::string>& loads,
+                         const std::vector<std::string>& supports)
+    : loads_(loads.size()),
+      supports_(supports.size()),
+      file_(folder + "/energy.csv", header(dimension, loads, supports))
 {}
 
 void EnergyTable::write(double time, double dt, const SolidEnergies& e)
@@ -37,8 +43,12 @@ void EnergyTable::write(double time, double dt, const SolidEnergies& e)
                             e.balance_error,
                             e.damping,
                             e.work_correction};
-    row.resize(row.size() + loads_, 0.0);
-    std::copy(e.work_of_load.begin(), e.work_of_load.end(), row.end() - static_cast<std::ptrdiff_t>(loads_));
+    const auto append = [&](std::vector<double> works, std::size_t count) {
+        works.resize(count, 0.0); // none yet in a static solution
+        row.insert(row.end(), works.begin(), works.end());
+    };
+    append(e.work_of_load, loads_);
+    append(e.work_of_support, supports_);
     file_.row(row);
     file_.flush();
 }

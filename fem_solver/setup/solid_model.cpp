@@ -89,6 +89,7 @@ SolidModel::SolidModel(const SolidConfig& config)
       forces_(mesh_, sheet_material(config), {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {
     for (const SupportConfig& support : config.supports) add_support(support);
+    for (const DriveConfig& drive : config.drives) add_drive(drive);
     forces_.set_damping({config.damping.stiffness, config.damping.mass});
     forces_.set_gravity(config.gravity.acceleration);
     for (const LoadConfig& load : config.loads) add_load(load);
@@ -102,6 +103,20 @@ void SolidModel::add_support(const SupportConfig& support)
     for (const auto& [component, formula] : paths)
         if (!formula->text.empty())
             supports_.prescribe(support.group, component, path(*formula, mesh_.dimension, support.derivative_step));
+}
+
+void SolidModel::add_drive(const DriveConfig& drive)
+{
+    const auto point = [](const std::vector<double>& x, double z) {
+        return x.empty() ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(x[0], x[1], x.size() == 3 ? x[2] : z);
+    };
+    const auto over_time = [&](const base::Formula& formula) {
+        return base::with_derivatives(function_of_time(formula), drive.derivative_step);
+    };
+    supports_.drive(drive.group,
+                    std::make_shared<RigidDrive>(point(drive.centre, 0), point(drive.axis, 0),
+                                                 std::array{over_time(drive.x), over_time(drive.y), over_time(drive.z)},
+                                                 over_time(drive.angle)));
 }
 
 void SolidModel::add_load(const LoadConfig& load)

@@ -21,6 +21,7 @@ public:
 
 private:
     void add_support(const SupportConfig& support);
+    void add_drive(const DriveConfig& drive);
     void add_load(const LoadConfig& load);
 
     Mesh mesh_;

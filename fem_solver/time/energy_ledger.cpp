@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/time/energy_ledger.hpp"
 
+#include <numeric>
+
 namespace fem {
 
 void EnergyLedger::start(const Motion& motion, const Forces& forces)
@@ -11,6 +13,7 @@ void EnergyLedger::start(const Motion& motion, const Forces& forces)
     energies_.potential = forces_->potential_energy(motion);
     initial_total_ = energies_.total();
     energies_.work_of_load.assign(forces.each_load.size(), 0.0);
+    energies_.work_of_support.assign(supports_->groups().size(), 0.0);
     weighted_ = forces;
     reaction_ = support_force(motion, weighted_);
 }
@@ -31,8 +34,12 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     energies_.work_loads += work(weighted_.loads, weighted_np1.loads);
     for (std::size_t k = 0; k < weighted_.each_load.size(); ++k)
         energies_.work_of_load[k] += work(weighted_.each_load[k], weighted_np1.each_load[k]);
-    energies_.work_supports += work(reaction_, reaction_np1);
-    if (supports_->moves()) energies_.work_supports += imposed_work(motion_n, motion_np1, dt);
+    if (supports_->moves()) {
+        const std::vector<double> works = supports_->sums(
+            du.cwiseProduct((1 - gamma) * reaction_ + gamma * reaction_np1) + imposed_work(motion_n, motion_np1, dt));
+        for (std::size_t k = 0; k < works.size(); ++k) energies_.work_of_support[k] += works[k];
+        energies_.work_supports += std::accumulate(works.begin(), works.end(), 0.0);
+    }
     energies_.damping += work(weighted_.damping, weighted_np1.damping);
 
     const double strain = forces_->strain_energy(motion_np1);
@@ -52,15 +59,16 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     reaction_ = reaction_np1;
 }
 
-double EnergyLedger::imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const
+/// The part of the moved supports' work that their own velocities and accelerations bring, entry by entry.
+Eigen::VectorXd EnergyLedger::imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const
 {
     const double beta = hht_.beta(), gamma = hht_.gamma();
     const Eigen::VectorXd mean = (1 - gamma) * motion_n.acceleration + gamma * motion_np1.acceleration;
     const Eigen::VectorXd dv = motion_np1.velocity - motion_n.velocity - dt * mean;
     const Eigen::VectorXd du = motion_np1.displacement - motion_n.displacement - dt * motion_n.velocity -
                                dt * dt * ((0.5 - beta) * motion_n.acceleration + beta * motion_np1.acceleration);
-    return (0.5 * dt * dv - du).dot(forces_->inertia(mean)) +
-           0.5 * (motion_n.velocity + motion_np1.velocity).dot(forces_->inertia(dv));
+    return (0.5 * dt * dv - du).cwiseProduct(forces_->inertia(mean)) +
+           0.5 * dv.cwiseProduct(forces_->inertia(motion_n.velocity + motion_np1.velocity));
 }
 
 Eigen::VectorXd EnergyLedger::support_force(const Motion& motion, const Forces& weighted) const

@@ -20,7 +20,9 @@ namespace fem {
 /// dv - dt [(1-gamma) a_0 + gamma a_1] = r_v and du - dt v_0 - dt^2 [...] = r_u, of third order in dt. That part of the
 /// supports' work is booked with them, with a_m = (1-gamma) a_0 + gamma a_1:
 ///
-///     (dt r_v / 2 - r_u) . M a_m + (v_0 + v_1)/2 . M r_v
+///     (dt r_v / 2 - r_u) . M a_m + r_v . M (v_0 + v_1)/2
+///
+/// It is booked entry by entry, as is du . [(1-gamma) R_0 + gamma R_1] of the reactions R, and summed over each group.
 class EnergyLedger {
 public:
     EnergyLedger(const SolidForces& forces, const Supports& supports, const Hht& hht)
@@ -38,7 +40,7 @@ public:
 
 private:
     Eigen::VectorXd support_force(const Motion& motion, const Forces& weighted) const;
-    double imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const;
+    Eigen::VectorXd imposed_work(const Motion& motion_n, const Motion& motion_np1, double dt) const;
 
     const SolidForces* forces_;
     const Supports* supports_;

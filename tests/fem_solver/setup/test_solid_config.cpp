@@ -68,6 +68,28 @@ TEST(SolidConfig, BecomesAModel)
     EXPECT_FALSE(model.supports().fixed(29));
 }
 
+TEST(SolidConfig, DrivesAndPressuresAreFormulas)
+{
+    const SolidModel model(read(valid + R"([[drives]]
+group = "top"
+centre = [0.5, 2.0]
+x = "0.1*t"
+angle = "pi/2*t"
+[[loads]]
+kind = "pressure"
+group = "left"
+pressure = "2 + 3*y"
+)"));
+    Motion motion = Motion::at_rest(model.forces().dofs());
+    model.supports().set_motion(1, motion);
+    const int corner = 2 * model.mesh().nearest_node({1, 2}); // turned by a right angle: from (0.5, 0) to (0, 0.5)
+    EXPECT_NEAR(motion.displacement[corner], 0.1 - 0.5, 1e-12);
+    EXPECT_NEAR(motion.displacement[corner + 1], 0.5, 1e-12);
+    Forces forces = Forces::zero(model.forces().dofs());
+    model.forces().evaluate(Motion::at_rest(model.forces().dofs()), 1, forces);
+    EXPECT_NEAR(forces.each_load[1].sum(), 2 * 2 + 3 * 2, 1e-12);
+}
+
 TEST(SolidConfig, DescribesItself)
 {
     base::ConfigReader reader = base::ConfigReader::describe();
@@ -78,6 +100,9 @@ TEST(SolidConfig, DescribesItself)
 TEST(SolidConfig, NamesWhatIsWrong)
 {
     expect_error(replaced("nu = 0.3", "nu = 0.5"), "nu");
+    expect_error(valid + "[[drives]]\ngroup = \"top\"\ncentre = [1.0]\n", "drives.0.centre has 1 numbers");
+    expect_error(valid + "[[drives]]\ngroup = \"top\"\ncentre = [1.0, 0.0]\naxis = [0.0, 0.0, 1.0]\n", "turns about z");
+    expect_error(valid + "[[drives]]\ngroup = \"lid\"\ncentre = [1.0, 0.0]\n", "lid");
     expect_error(replaced("E = 1e6", "E = -1e6"), "E");
     expect_error(replaced("cells = [2, 4]", "cells = [2.5, 4]"), "no number of cells");
     expect_error(replaced("high = [1.0, 2.0]", "high = [1.0, -2.0]"), "is not below high");

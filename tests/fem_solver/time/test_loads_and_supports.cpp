@@ -106,6 +106,72 @@ TEST(MovedSupport, CarriesABody)
                 1e-9);
 }
 
+/// A turn about a skew axis with a shift: velocity and acceleration are the derivatives of the displacement.
+TEST(RigidDrive, VelocityAndAccelerationAreDerivatives)
+{
+    const Eigen::Vector3d centre(0.1, -0.2, 0.3), axis(1, 2, -1), point(0.5, 0.7, -0.4);
+    const RigidDrive drive(centre, axis, {swing(0.2, 3), swing(-0.1, 2), swing(0.3, 1)}, swing(1.5, 4));
+    const auto place = [&](const Eigen::Vector3d& x, double t) {
+        Eigen::Vector3d now = x;
+        for (int k = 0; k < 3; ++k) now[k] += drive.displacement(x, k, t).value;
+        return now;
+    };
+    const double t = 0.37, h = 1e-3;
+    EXPECT_NEAR((place(point, t) - drive.centre(t)).norm(), (point - centre).norm(), 1e-14);
+    EXPECT_NEAR((place(point, t) - place(centre, t)).dot(axis), (point - centre).dot(axis), 1e-14);
+    for (int k = 0; k < 3; ++k) {
+        const base::TimeValue now = drive.displacement(point, k, t);
+        const auto differences =
+            base::with_derivatives([&](double at) { return drive.displacement(point, k, at).value; }, h)(t);
+        EXPECT_NEAR(now.rate, differences.rate, 1e-9);
+        EXPECT_NEAR(now.acceleration, differences.acceleration, 1e-7);
+    }
+}
+
+/// A gate that hangs on its driven head, which turns and shifts, and whose foot is moved as well: each group has its work, and
+/// the books close.
+TEST(RigidDrive, EachGroupHasItsWork)
+{
+    Gate gate(ElementType::quad8, rubber(), {}, {1, 8});
+    Supports supports(gate.mesh);
+    const auto still = [](double) { return base::TimeValue{}; };
+    supports.drive("top", std::make_shared<RigidDrive>(Eigen::Vector3d(0.1025, 0.079, 0), Eigen::Vector3d(0, 0, 1),
+                                                       std::array<base::TimeFunction, 3>{swing(0.01, 40), still, still},
+                                                       swing(0.2, 30)));
+    supports.prescribe("bottom", "x", along(swing(0.005, 60)));
+    SolidStep step(gate.mesh, gate.forces, supports, Hht(-0.05), {1e-14, 50, 0.1});
+    Motion motion = Motion::at_rest(gate.forces.dofs());
+    step.start(motion);
+    for (int i = 0; i < 100; ++i) step.advance(motion, 5e-4);
+    const SolidEnergies& e = step.energies();
+    ASSERT_EQ(e.work_of_support.size(), 2u);
+    EXPECT_GT(std::abs(e.work_of_support[1]), 1e-3);
+    EXPECT_NEAR(e.work_of_support[0] + e.work_of_support[1], e.work_supports, 1e-14);
+    EXPECT_LT(std::abs(e.balance_error), 1e-10 * std::abs(e.work_of_support[0]));
+}
+
+/// The end of a beam turned by an angle with its length left free: M = E I angle/L, the reaction's moment about the centre.
+TEST(RigidDrive, MomentOfATurnedEnd)
+{
+    const double young = 1e6, length = 1, height = 0.05, angle = 0.02;
+    const Mesh mesh = make_block({ElementType::quad8, {0, 0}, {length, height}, {20, 1}});
+    const SolidForces forces(mesh, {SmallElastic{Lame::from_young(young, 0)}, 1000}, {});
+    Supports supports(mesh);
+    supports.fix("left", {"x", "y"});
+    const auto still = [](double) { return base::TimeValue{}; };
+    const auto rise = [=](double t) { return base::TimeValue{0.5 * length * angle * t, 0, 0}; };
+    supports.drive("right",
+                   std::make_shared<RigidDrive>(Eigen::Vector3d(length, 0.5 * height, 0), Eigen::Vector3d(0, 0, 1),
+                                                std::array<base::TimeFunction, 3>{still, rise, still}, [=](double t) {
+                                                    return base::TimeValue{angle * t, 0, 0};
+                                                }));
+    StaticSolution solution(mesh, forces, supports, {1e-11, 30, 0.1});
+    Motion motion = Motion::at_rest(forces.dofs());
+    solution.solve(motion, 1, [](double) {});
+    const double expected = young * height * height * height / 12 * angle / length;
+    EXPECT_NEAR(supports.moment(supports.driven().front(), 1, motion, solution.reaction())[2] / expected, 1, 1e-2);
+}
+
 /// A stiff block on springs, 2 N/m^3 over a unit face and 3 N/m at a node: what force / (sum of stiffnesses) gives.
 TEST(SpringLoad, HoldsABlock)
 {

@@ -26,18 +26,6 @@ Mesh cylinder(ElementType type, std::vector<int> cells)
     return mesh;
 }
 
-/// Turns the point about the axis by the angle turn * t: the displacement along x (axis 0) or y (axis 1).
-Supports::Path turned(int axis)
-{
-    return [axis](const double* p) -> base::TimeFunction {
-        const double x = p[0], y = p[1];
-        return [=](double t) -> base::TimeValue {
-            const double c = std::cos(turn * t), s = std::sin(turn * t);
-            return {axis == 0 ? c * x - s * y - x : s * x + c * y - y, 0, 0};
-        };
-    };
-}
-
 struct Twist {
     double moment = 0, force = 0;
 };
@@ -49,21 +37,17 @@ Twist twist(ElementType type, std::vector<int> cells)
     const SolidForces forces(mesh, {NeoHookean{Lame{mu, bulk - 2 * mu / 3}}, 1000}, {false, Formulation::mixed});
     Supports supports(mesh);
     supports.fix("back", {"x", "y", "z"});
-    supports.fix("front", {"z"});
-    supports.prescribe("front", "x", turned(0));
-    supports.prescribe("front", "y", turned(1));
+    const auto still = [](double) { return base::TimeValue{}; };
+    supports.drive("front",
+                   std::make_shared<RigidDrive>(Eigen::Vector3d(0, 0, length), Eigen::Vector3d(0, 0, 1),
+                                                std::array<base::TimeFunction, 3>{still, still, still}, [](double t) {
+                                                    return base::TimeValue{turn * t, turn, 0};
+                                                }));
     StaticSolution solution(mesh, forces, supports, {1e-9, 30, 0.1});
     Motion motion = Motion::at_rest(forces.dofs());
     solution.solve(motion, 4, [](double) {});
     const Eigen::VectorXd f = solution.reaction();
-    Twist result;
-    for (const int node : mesh.group_nodes("front")) {
-        const double x = mesh.node(node)[0] + motion.displacement[3 * node];
-        const double y = mesh.node(node)[1] + motion.displacement[3 * node + 1];
-        result.moment += x * f[3 * node + 1] - y * f[3 * node];
-        result.force += f[3 * node + 2];
-    }
-    return result;
+    return {supports.moment(supports.driven().front(), 1, motion, f)[2], supports.reaction("front", f)[2]};
 }
 
 TEST(Torsion, MomentAndNormalForceOfRivlin)
