@@ -37,6 +37,17 @@ if(METIS_INCLUDE_DIR AND METIS_LIBRARY)
 endif()
 rivage_require(METIS_LIBRARY "libmetis-dev" "METIS")
 
+# MED: the mesh format of Salome and Code_Aster; Debian builds it on the same parallel HDF5.
+find_path(MED_INCLUDE_DIR med.h)
+find_library(MED_LIBRARY medC)
+if(MED_INCLUDE_DIR AND MED_LIBRARY)
+    add_library(rivage_med INTERFACE)
+    target_include_directories(rivage_med SYSTEM INTERFACE "${MED_INCLUDE_DIR}")
+    target_link_libraries(rivage_med INTERFACE "${MED_LIBRARY}" rivage::hdf5 MPI::MPI_CXX)
+    add_library(rivage::med ALIAS rivage_med)
+endif()
+rivage_require(MED_LIBRARY "libmedc-dev" "The MED library")
+
 foreach(entry "Eigen3;libeigen3-dev" "fmt;libfmt-dev" "spdlog;libspdlog-dev" "CLI11;libcli11-dev"
               "tomlplusplus;libtomlplusplus-dev" "muparser;libmuparser-dev")
     list(GET entry 0 name)

@@ -16,13 +16,19 @@ base::Table<MeshConfig> mesh_table()
 {
     return base::Table<MeshConfig>(
                "the mesh; a block has the groups left, right, bottom, top (3D: back, front) and all")
-        .key("kind", &MeshConfig::kind, {.doc = "block: rectangle or box cut into equal cells", .choices = {"block"}})
-        .key("low", &MeshConfig::low, {.unit = "m", .doc = "lower corner", .required = true})
-        .key("high", &MeshConfig::high, {.unit = "m", .doc = "upper corner", .required = true})
+        .key("kind", &MeshConfig::kind,
+             {.doc = "block: rectangle or box cut into equal cells; med: a file of Gmsh, Salome or Code_Aster",
+              .choices = {"block", "med"}})
+        .key("file", &MeshConfig::file, {.doc = "med: the file; a path from the folder of this file"})
+        .key("name", &MeshConfig::name, {.doc = "med: of the mesh in the file; empty: the only one"})
+        .key("scale", &MeshConfig::scale, {.unit = "m", .doc = "med: length of the file's unit", .positive = true})
+        .key("low", &MeshConfig::low, {.unit = "m", .doc = "block: lower corner"})
+        .key("high", &MeshConfig::high, {.unit = "m", .doc = "block: upper corner"})
         .key("cells", &MeshConfig::cells,
-             {.unit = "-", .doc = "number of elements along each direction", .min = 1, .required = true})
+             {.unit = "-", .doc = "block: number of elements along each direction", .min = 1})
         .key("element", &MeshConfig::element,
-             {.doc = "shape of the elements: 2D tri or quad, 3D tet or hexa, with their number of nodes; a block cuts "
+             {.doc = "block: shape of the elements: 2D tri or quad, 3D tet or hexa, with their number of nodes; a "
+                     "block cuts "
                      "each cell "
                      "into 2 triangles or 6 tetrahedra",
               .choices = {"tri3", "tri6", "quad4", "quad8", "quad9", "tet4", "tet10", "hexa8", "hexa20", "hexa27"}})

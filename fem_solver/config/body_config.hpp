@@ -14,11 +14,13 @@ struct ModelConfig {
     std::string assumption = "plane_strain";
 };
 
-/// [mesh]: a built-in block.
+/// [mesh]: a built-in block or a MED file.
 struct MeshConfig {
     std::string kind = "block";
-    std::vector<double> low, high, cells;
-    std::string element = "quad8";
+    std::vector<double> low, high, cells; // block
+    std::string element = "quad8";        // block
+    std::string file, name;               // med
+    double scale = 1;                     // med
     std::string integration = "reduced";
     std::string formulation = "automatic";
 };

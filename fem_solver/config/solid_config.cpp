@@ -20,9 +20,20 @@ void require_size(const base::ConfigReader& reader, const std::vector<double>& n
                         " numbers; in ", dimension, "D it needs ", dimension);
 }
 
-void check_mesh(const SolidConfig& config, const base::ConfigReader& reader)
+std::string beside(const base::ConfigReader& reader, const std::string& file)
+{
+    return (std::filesystem::path(reader.file_name()).parent_path() / file).string();
+}
+
+void check_mesh(SolidConfig& config, const base::ConfigReader& reader)
 {
     const int d = config.model.dimension;
+    if (config.mesh.kind == "med") {
+        base::require_input(!config.mesh.file.empty(), reader.where("mesh"),
+                            ": a mesh of the kind med needs file = \"FILE.med\"");
+        config.mesh.file = beside(reader, config.mesh.file);
+        return;
+    }
     const bool flat = config.mesh.element.starts_with("quad") || config.mesh.element.starts_with("tri");
     base::require_input(flat == (d == 2), reader.where("mesh.element"), ": element \"", config.mesh.element,
                         "\" does not belong in a model of dimension ", d);
@@ -69,7 +80,7 @@ void check_material(SolidConfig& config, const base::ConfigReader& reader,
     const std::string path = "material." + config.material_name;
     check_law(config.material, reader, path);
     std::string& curve = config.material.curve;
-    if (!curve.empty()) curve = (std::filesystem::path(reader.file_name()).parent_path() / curve).string();
+    if (!curve.empty()) curve = beside(reader, curve);
     const auto& range = config.material.stability_range;
     base::require_input(range.size() == 2 && range[0] < 1 && range[1] > 1, reader.where(path + ".stability_range"),
                         ": stability_range needs two stretches, one below and one above 1");

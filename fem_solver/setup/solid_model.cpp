@@ -3,18 +3,11 @@
 
 #include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/foundation/check.hpp"
-#include "fem_solver/mesh/block_mesh.hpp"
 #include "fem_solver/setup/make_load.hpp"
+#include "fem_solver/setup/make_mesh.hpp"
 
 namespace fem {
 namespace {
-
-ElementType element_type(const std::string& name)
-{
-    for (const auto& [type, known] : element_names)
-        if (known == name) return type;
-    throw base::Error(base::ExitCode::bad_input, "unknown element \"" + name + "\"");
-}
 
 Formulation formulation(const std::string& name)
 {
@@ -57,12 +50,6 @@ Material sheet_material(const SolidConfig& config)
 
 } // namespace
 
-Mesh make_mesh(const MeshConfig& config)
-{
-    return make_block(
-        {element_type(config.element), config.low, config.high, {config.cells.begin(), config.cells.end()}});
-}
-
 Material make_material(const MaterialConfig& config)
 {
     const double nu = config.poisson;
@@ -84,7 +71,7 @@ Material make_material(const MaterialConfig& config)
 }
 
 SolidModel::SolidModel(const SolidConfig& config)
-    : mesh_(make_mesh(config.mesh)),
+    : mesh_(make_mesh(config.mesh, config.model.dimension)),
       supports_(mesh_),
       forces_(mesh_, sheet_material(config), {config.mesh.integration == "full", formulation(config.mesh.formulation)})
 {

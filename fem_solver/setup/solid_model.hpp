@@ -29,8 +29,6 @@ private:
     SolidForces forces_;
 };
 
-/// The block mesh of a configuration.
-Mesh make_mesh(const MeshConfig& config);
 /// The material of a configuration.
 Material make_material(const MaterialConfig& config);
 

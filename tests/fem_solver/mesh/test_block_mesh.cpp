@@ -2,8 +2,8 @@
 #include "coupler_lib/foundation/check.hpp"
 #include "fem_solver/mesh/block_mesh.hpp"
 #include "fem_solver/mesh/linear_facets.hpp"
+#include "tests/fem_solver/support/enclosed.hpp"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 namespace {
 
 using namespace fem;
+using fem_test::enclosed;
 
 Mesh gate(ElementType type) { return make_block({type, {0.1, 0.0}, {0.105, 0.079}, {4, 40}}); }
 
@@ -50,28 +51,6 @@ TEST(BlockMesh, FacetsKeepTheBodyOnTheLeft)
         }
         EXPECT_NEAR(area, 0.005 * 0.079, 1e-15);
     }
-}
-
-/// Volume (2D: area) inside linear facets with outward normals, by Gauss's theorem; quadrilaterals as two triangles.
-double enclosed(const Mesh& mesh, const std::vector<std::array<int, 4>>& facets)
-{
-    const auto point = [&](int node) {
-        Eigen::Vector3d x = Eigen::Vector3d::Zero();
-        for (int k = 0; k < mesh.dimension; ++k) x[k] = mesh.node(node)[k];
-        return x;
-    };
-    double sum = 0;
-    for (const auto& f : facets) {
-        const Eigen::Vector3d a = point(f[0]), b = point(f[1]);
-        if (mesh.dimension == 2) {
-            sum += 0.5 * a.cross(b)[2];
-            continue;
-        }
-        const Eigen::Vector3d c = point(f[2]);
-        sum += a.dot(b.cross(c)) / 6;
-        if (f[3] >= 0) sum += a.dot(c.cross(point(f[3]))) / 6;
-    }
-    return sum;
 }
 
 /// Whatever the elements: none is turned inside out, and their faces' linear parts close around the block.
