@@ -49,7 +49,7 @@ base::Table<MaterialConfig> material_table()
         .key("law", &MaterialConfig::law,
              {.doc = "elastic: Hooke (small kinematics) or St. Venant-Kirchhoff (finite), neo_hookean, both from E; "
                      "mooney_rivlin: from c10, c01; ogden: from mu, alpha; marlow: from a measured curve. All but "
-                     "elastic: energy psi(shape) + K/2 (J - 1)^2, K from the shear modulus and nu",
+                     "elastic: energy psi(shape) + K/2 (J - 1)^2, K from the shear modulus and nu (see volumetric)",
               .choices = {"elastic", "neo_hookean", "mooney_rivlin", "ogden", "marlow"}})
         .key("E", &MaterialConfig::young, {.unit = "Pa", .doc = "Young's modulus; elastic, neo_hookean", .min = 0})
         .key("nu", &MaterialConfig::poisson,
@@ -59,6 +59,12 @@ base::Table<MaterialConfig> material_table()
         .key("kinematics", &MaterialConfig::kinematics,
              {.doc = "finite: displacements and rotations of any size; small: linear, law elastic only",
               .choices = {"finite", "small"}})
+        .key(
+            "volumetric", &MaterialConfig::volumetric,
+            {.doc =
+                 "neo_hookean: quadratic: w = mu/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2; logarithmic: w = mu/2 (I1 - 3) - "
+                 "mu ln J + lambda/2 ln^2 J, not with the formulation mixed",
+             .choices = {"quadratic", "logarithmic"}})
         .key("c10", &MaterialConfig::c10, {.unit = "Pa", .doc = "mooney_rivlin: psi = c10 (I1 - 3) + c01 (I2 - 3)"})
         .key("c01", &MaterialConfig::c01, {.unit = "Pa", .doc = "mooney_rivlin; the shear modulus is 2 (c10 + c01)"})
         .key("mu", &MaterialConfig::moduli,

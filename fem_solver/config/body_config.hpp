@@ -32,6 +32,7 @@ struct MaterialConfig {
     double poisson = 0;
     double density = 0;
     std::string kinematics = "finite";
+    std::string volumetric = "quadratic";  // neo_hookean
     double c10 = 0, c01 = 0;               // mooney_rivlin
     std::vector<double> moduli, exponents; // ogden
     std::string curve;                     // marlow

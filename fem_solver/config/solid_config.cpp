@@ -61,6 +61,8 @@ void check_law(const MaterialConfig& material, const base::ConfigReader& reader,
     if (material.law == "marlow") require(!material.curve.empty(), "curve", "curve = \"FILE.csv\"");
     require(material.law == "elastic" || material.kinematics == "finite", "kinematics",
             "finite kinematics: small kinematics goes with the law elastic only");
+    require(material.volumetric == "quadratic" || material.law == "neo_hookean", "volumetric",
+            "volumetric = \"quadratic\": the logarithmic form is one of neo_hookean");
     if (material.law != "ogden") return;
     require(!material.moduli.empty() && material.moduli.size() == material.exponents.size(), "mu",
             "mu and alpha, as many of both");

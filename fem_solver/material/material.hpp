@@ -3,6 +3,7 @@
 
 #include "fem_solver/material/marlow.hpp"
 #include "fem_solver/material/neo_hookean.hpp"
+#include "fem_solver/material/neo_hookean_log.hpp"
 #include "fem_solver/material/ogden.hpp"
 
 #include <variant>
@@ -10,7 +11,7 @@
 namespace fem {
 
 /// One of the known laws (Mooney-Rivlin is a case of Ogden's).
-using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean, Ogden, Marlow>;
+using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean, NeoHookeanLog, Ogden, Marlow>;
 
 /// What two dimensions stand for: no stretch across the plane, or no stress.
 enum class Sheet { plane_strain, plane_stress };

@@ -13,7 +13,8 @@ struct SplitLaw {
     double bulk; ///< K [Pa]
 };
 
-/// The two parts of a law; nothing for laws that do not separate shape and volume (SmallElastic, SaintVenantKirchhoff).
+/// The two parts of a law; nothing for laws that do not separate shape and volume (SmallElastic, SaintVenantKirchhoff,
+/// NeoHookeanLog).
 inline std::optional<SplitLaw> split(const Law& law)
 {
     return std::visit(

@@ -65,6 +65,7 @@ Material make_material(const MaterialConfig& config)
         return {Ogden{energy, bulk_modulus(energy.shear_modulus(), nu)}, config.density};
     }
     if (config.law == "marlow") return {marlow(config.curve, nu), config.density};
+    if (config.law == "neo_hookean" && config.volumetric == "logarithmic") return {NeoHookeanLog{lame}, config.density};
     if (config.law == "neo_hookean") return {NeoHookean{lame}, config.density};
     if (config.kinematics == "small") return {SmallElastic{lame}, config.density};
     return {SaintVenantKirchhoff{lame}, config.density};

@@ -11,7 +11,7 @@ using namespace fem;
 const Lame rubber = Lame::from_young(12e6, 0.4);
 
 template<class LawType> class Laws : public testing::Test {};
-using AllLaws = testing::Types<SmallElastic, SaintVenantKirchhoff, NeoHookean>;
+using AllLaws = testing::Types<SmallElastic, SaintVenantKirchhoff, NeoHookean, NeoHookeanLog>;
 TYPED_TEST_SUITE(Laws, AllLaws);
 
 template<int D> Tensor<D> some_deformation()
@@ -65,6 +65,7 @@ TEST(FiniteLaws, LeaveARotatedBodyUnstressed)
 {
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     EXPECT_LT(NeoHookean{rubber}.stress<3>(rotation).norm(), 1e-8 * rubber.mu);
+    EXPECT_LT(NeoHookeanLog{rubber}.stress<3>(rotation).norm(), 1e-8 * rubber.mu);
     EXPECT_LT(SaintVenantKirchhoff{rubber}.stress<3>(rotation).norm(), 1e-8 * rubber.mu);
 }
 
