@@ -14,7 +14,8 @@
 
 namespace coupler {
 
-/// What a rank needs to know to take part in a run; the same on every rank of a role.
+/// What a rank needs to know to take part in a run; the same on every rank of a role. A solver from outside fills in the
+/// roles and leaves the rest: what is empty is not compared.
 struct ParticipantSettings {
     std::string role;                        ///< by default what the executable is: "fluid", "solid"
     std::vector<std::string> expected_roles; ///< all roles of the run, own one included; empty or {role}: runs alone

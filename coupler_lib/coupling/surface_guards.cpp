@@ -51,6 +51,15 @@ double distance(const double* a, const double* b, int dimension)
     return std::sqrt(square);
 }
 
+/// " of facet 7", the first one that the node belongs to.
+std::string facet_of(const WetSurface& surface, std::size_t node)
+{
+    for (std::size_t facet = 0; facet < surface.facet_ids.size(); ++facet)
+        for (const int corner : surface.facet_nodes[facet])
+            if (corner == static_cast<int>(node)) return base::text(" of facet ", surface.facet_ids[facet]);
+    return "";
+}
+
 /// A quick bound: no conservative load on any facet can exceed the limit [Pa], since
 ///     |f_facet| <= corners sqrt(D) max |component|  <=  limit * smallest facet
 bool is_clearly_below(const FacetBatch& facets, const FacetLoads& loads, double limit)
@@ -117,8 +126,8 @@ void MotionGuard::check(const WetSurface& surface, const SurfaceMotion& motion, 
                       first_bad_node(motion.acceleration, dimension)});
         const auto at = static_cast<std::ptrdiff_t>(bad) * dimension;
         throw base::Error(base::ExitCode::numerical_failure,
-                          base::text(who, ": the motion of wet node ", surface.node_ids[bad], " (reference ",
-                                     point_text(surface.reference.data() + at, dimension),
+                          base::text(who, ": the motion of wet node ", surface.node_ids[bad], facet_of(surface, bad),
+                                     " (reference ", point_text(surface.reference.data() + at, dimension),
                                      ") is not a number: position ", point_text(motion.position.data() + at, dimension),
                                      ", velocity ", point_text(motion.velocity.data() + at, dimension),
                                      ", acceleration ", point_text(motion.acceleration.data() + at, dimension)));
@@ -130,8 +139,8 @@ void MotionGuard::check(const WetSurface& surface, const SurfaceMotion& motion, 
         const double move = distance(motion.position.data() + at, last_position_.data() + at, dimension);
         throw base::Error(
             base::ExitCode::numerical_failure,
-            base::text(who, ": wet node ", surface.node_ids[node], " jumped by ", move, " m in one step, from ",
-                       point_text(last_position_.data() + at, dimension), " to ",
+            base::text(who, ": wet node ", surface.node_ids[node], facet_of(surface, node), " jumped by ", move,
+                       " m in one step, from ", point_text(last_position_.data() + at, dimension), " to ",
                        point_text(motion.position.data() + at, dimension), "; the limit is ", longest_move_,
                        " m (interface.motion_jump_limit mean facet sizes): the step is too large or the run has "
                        "diverged"));

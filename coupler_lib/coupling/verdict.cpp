@@ -122,12 +122,18 @@ std::string difference_of(const Introductions& introductions, std::size_t a, std
                       " (rank ", b, ") has ", of_b);
 }
 
-/// "'fluid' (rank 0) has A, 'solid' (rank 1) has B" for the first two ranks that differ in a property.
+/// "'fluid' (rank 0) has A, 'solid' (rank 1) has B" for the first two ranks that differ in a property. Who leaves it
+/// empty, as a solver from outside may, is not compared.
 template<class Property> std::string difference(const Introductions& introductions, Property property)
 {
-    for (std::size_t rank = 1; rank < introductions.size(); ++rank)
-        if (property(introductions[0]) != property(introductions[rank]))
-            return difference_of(introductions, 0, rank, property(introductions[0]), property(introductions[rank]));
+    std::size_t first = introductions.size();
+    for (std::size_t rank = 0; rank < introductions.size(); ++rank) {
+        if (property(introductions[rank]).empty()) continue;
+        if (first == introductions.size()) first = rank;
+        if (property(introductions[first]) != property(introductions[rank]))
+            return difference_of(introductions, first, rank, property(introductions[first]),
+                                 property(introductions[rank]));
+    }
     return {};
 }
 
@@ -135,8 +141,9 @@ Verdict different_files(const Introductions& introductions)
 {
     const std::string hashes = difference(introductions, [](const Introduction& one) { return one.config_hash; });
     if (hashes.empty()) return {};
-    const std::string both = difference(
-        introductions, [](const Introduction& one) { return one.config_file + " [content " + one.config_hash + "]"; });
+    const std::string both = difference(introductions, [](const Introduction& one) {
+        return one.config_hash.empty() ? "" : one.config_file + " [content " + one.config_hash + "]";
+    });
     return {code_of(base::ExitCode::bad_input),
             "the participants read different coupling files or overrides: " + both +
                 ". All must be given the same shared file and the same --set options"};

@@ -47,32 +47,48 @@ std::string below(const std::string& name, const std::string& tables)
     return result;
 }
 
-/// The texts of all participants' roots, gathered on the root that is world rank 0 (empty elsewhere), in role order.
+/// The root that gathers what all participants tell: the first rank of a program that has a Session. A solver from
+/// outside, which links the coupling alone, has none and is left out.
+int collector_of(const Participant& me)
+{
+    int rank = 0;
+    while (me.introduction(rank).program.empty()) ++rank;
+    return rank;
+}
+
+std::string receive_text(Participant& me, int from, int tag)
+{
+    MPI_Status status;
+    const auto arrived = [&] {
+        int flag = 0;
+        MPI_Iprobe(from, tag, me.coupling_comm(), &flag, &status);
+        return flag != 0;
+    };
+    me.wait_until(arrived, "its summary", [&] { return std::vector<int>{from}; });
+    int length = 0;
+    MPI_Get_count(&status, MPI_CHAR, &length);
+    std::string text(static_cast<std::size_t>(length), ' ');
+    MPI_Recv(text.data(), length, MPI_CHAR, from, tag, me.coupling_comm(), MPI_STATUS_IGNORE);
+    return text;
+}
+
+/// The texts of all participants' roots, gathered on the collector (empty elsewhere), its own first.
 std::vector<std::pair<std::string, std::string>> gather_texts(Participant& me, const std::string& mine, int tag)
 {
     std::vector<std::pair<std::string, std::string>> texts;
+    const int collector = collector_of(me);
     if (!me.comm().is_root()) return texts;
-    if (me.world_rank() == 0) texts.emplace_back(me.role(), mine);
+    if (me.world_rank() != collector) {
+        std::vector<MPI_Request> request(1);
+        MPI_Isend(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, collector, tag, me.coupling_comm(),
+                  request.data());
+        me.wait_all(request, "its summary to be taken", {collector});
+        return texts;
+    }
+    texts.emplace_back(me.role(), mine);
     for (const auto& partner : me.partners()) {
         const int root = me.ranks_of(partner).front();
-        if (me.world_rank() == 0) {
-            MPI_Status status;
-            const auto arrived = [&] {
-                int flag = 0;
-                MPI_Iprobe(root, tag, me.coupling_comm(), &flag, &status);
-                return flag != 0;
-            };
-            me.wait_until(arrived, "its summary", [&] { return std::vector<int>{root}; });
-            int length = 0;
-            MPI_Get_count(&status, MPI_CHAR, &length);
-            std::string text(static_cast<std::size_t>(length), ' ');
-            MPI_Recv(text.data(), length, MPI_CHAR, root, tag, me.coupling_comm(), MPI_STATUS_IGNORE);
-            texts.emplace_back(partner, text);
-        } else if (root == 0) {
-            std::vector<MPI_Request> request(1);
-            MPI_Isend(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, 0, tag, me.coupling_comm(), request.data());
-            me.wait_all(request, "its summary to be taken", {0});
-        }
+        if (!me.introduction(root).program.empty()) texts.emplace_back(partner, receive_text(me, root, tag));
     }
     return texts;
 }
@@ -158,7 +174,7 @@ void Session::check_flow(DataFlow mine)
         else
             log_.warn(partner.role + " is left out of the check: " + partner.note);
     }
-    if (participant_->world_rank() != 0) return;
+    if (participant_->world_rank() != collector_of(*participant_)) return;
     const FlowReport report = check_data_flow(coupling(), sides);
     for (const auto& fact : report.facts) log_.info(fact);
     for (const auto& advice : report.advice) log_.warn(advice);

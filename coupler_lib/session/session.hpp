@@ -75,7 +75,7 @@ public:
     void check_flow(DataFlow mine);
 
     /// Collective over the participant: adds the run's common figures, then writes DIR/<role>/summary.json; the
-    /// participant that owns world rank 0 also gathers them all in DIR/summary.json. Call once, at the end.
+    /// participant that owns the first rank also gathers them all in DIR/summary.json. Call once, at the end.
     void write_summary(base::JsonObject own_figures);
 
 private:

@@ -126,7 +126,7 @@ def throws_among_many(programs):
 
 
 def nan_solid(programs):
-    acted_out(programs, "solid", "nan", 3, "'solid' (rank 1", "the motion of wet node 0 (reference (1, 0)) is not a number",
+    acted_out(programs, "solid", "nan", 3, "'solid' (rank 1", "the motion of wet node 0 of facet 0 (reference (1, 0)) is not a number",
               settings=('solid.fault.moment="exchange"',))
 
 
@@ -159,6 +159,18 @@ def asked_to_stop(programs):
 def unhurt(programs):
     """The same programs without a fault end in order."""
     Run(programs, [fluid(ranks=2), solid(ranks=2)]).finish().expect(0, within=60, messages=0)
+
+
+def own_solid(programs):
+    """The example of docs/coupling.md, in either place; killed, it is missed as any other."""
+    own = Segment(command=(str(programs.parent / "tests" / "bin" / "own_solid"),))
+    for segments in ([fluid(), own], [own, fluid(ranks=2)]):
+        run = Run(programs, segments).finish()
+        run.expect(0, messages=0)
+        assert (run.out / "coupling" / "interface.csv").read_text().count("\n") == 102
+        assert (run.out / "summary.json").exists()
+    run = Run(programs, [fluid(), own], ('fluid.fault.kind="throw"', "fluid.fault.step=10"))
+    run.finish().expect(3, "'fluid' (rank 0", "the fault that was asked for")
 
 
 def one_segment(programs):

@@ -99,7 +99,7 @@ TEST(MotionGuard, NamesTheNodeThatIsNotANumber)
     auto motion = at_rest();
     motion.acceleration[3] = std::numeric_limits<double>::quiet_NaN();
     const std::string message = refusal(guard, motion);
-    EXPECT_NE(message.find("node 11 (reference (1, 0)"), std::string::npos) << message;
+    EXPECT_NE(message.find("node 11 of facet 5 (reference (1, 0)"), std::string::npos) << message;
     EXPECT_NE(message.find("rank 1"), std::string::npos) << message;
 }
 
@@ -112,7 +112,7 @@ TEST(MotionGuard, StopsAJumpButNotAStep)
     EXPECT_EQ(refusal(guard, motion), "");
     motion.position[5] = 1.0;
     const std::string message = refusal(guard, motion);
-    EXPECT_NE(message.find("wet node 12 jumped by 0.51 m"), std::string::npos) << message;
+    EXPECT_NE(message.find("wet node 12 of facet 6 jumped by 0.51 m"), std::string::npos) << message;
 }
 
 TEST(LoadGuard, NamesTheFacetBeyondTheLimit)

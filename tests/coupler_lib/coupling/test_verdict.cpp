@@ -81,11 +81,21 @@ TEST(Verdict, NamesRanksOfARoleThatReadDifferentFiles)
 
 TEST(Verdict, NamesDifferentLibraries)
 {
-    auto other = member("solid", 1);
+    auto one = member("fluid", 0), other = member("solid", 1);
+    one.libraries = "Open MPI v4";
     other.libraries = "Open MPI v5";
-    const auto verdict = judge({member("fluid", 0), other});
+    const auto verdict = judge({one, other});
     EXPECT_EQ(verdict.code, 2);
     EXPECT_TRUE(says(verdict, "different libraries") && says(verdict, "Open MPI v5")) << verdict.message;
+}
+
+TEST(Verdict, TakesASolverFromOutsideAtItsWord)
+{
+    Introduction own;
+    own.role = "solid";
+    own.expected_roles = {"fluid", "solid"};
+    EXPECT_EQ(judge({member("fluid", 0), own}).code, 0);
+    EXPECT_EQ(judge({own, member("fluid", 0)}).code, 0);
 }
 
 TEST(Verdict, SuggestsTheNearestRole)
