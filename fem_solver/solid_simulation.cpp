@@ -17,9 +17,11 @@ NewtonSettings newton_settings(const NewtonConfig& config)
     return {config.tolerance, config.max_iterations, config.contraction};
 }
 
-Predictor predictor(const NewtonConfig& config)
+StepSettings step_settings(const SolidConfig& config)
 {
-    return config.predictor == "still" ? Predictor::still : Predictor::constant_acceleration;
+    const bool still = config.newton.predictor == "still";
+    return {newton_settings(config.newton), still ? Predictor::still : Predictor::constant_acceleration,
+            config.time.sub_steps};
 }
 
 InterfaceLoadSettings load_settings(const SolidConfig& config, const coupler::CouplingConfig& coupling)
@@ -40,10 +42,10 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
     : config_(config),
       session_(session),
       model_(config),
-      step_(model_.mesh(), model_.forces(), model_.supports(), Hht(config.time.alpha), newton_settings(config.newton),
-            predictor(config.newton)),
+      step_(model_.mesh(), model_.forces(), model_.supports(), Hht(config.time.alpha), step_settings(config)),
       motion_(Motion::at_rest(model_.forces().dofs()))
 {
+    step_.report_to([&](const std::string& line) { session_.log().warn(line); });
     report_stability();
     base::require_input(session.comm().size() == 1, "the solid runs on one rank, not on ", session.comm().size(),
                         ": start it with -n 1");
@@ -207,7 +209,8 @@ void SolidSimulation::finish(base::JsonObject figures)
         .set("steps", now_.step)
         .set("state_hash", state_hash(motion_));
     if (step_.steps() > 0)
-        figures.set("newton_iterations_per_step", static_cast<double>(step_.iterations()) / step_.steps())
+        figures.set("hht_steps", step_.sub_steps())
+            .set("newton_iterations_per_step", static_cast<double>(step_.iterations()) / step_.steps())
             .set("refactorisations_per_1000_steps", step_.factorisations() / thousands)
             .set("energy_balance_error", step_.energies().balance_error);
     session_.write_summary(figures);

@@ -64,6 +64,13 @@ void SolidForces::add_load(std::unique_ptr<Load> load, std::string name, TimeFac
     load_names_.push_back(std::move(name));
 }
 
+void SolidForces::set_window(double share, const Forces& start)
+{
+    window_share_ = share;
+    interface_start_ = (1 - share) * start.interface;
+    correction_start_ = (1 - share) * start.correction;
+}
+
 Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces, double time) const
 {
     forces.internal.setZero();
@@ -80,9 +87,13 @@ Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forc
         forces.loads += forces.each_load[k];
     }
     forces.interface.setZero();
-    if (interface_) interface_->add_force(motion, scale, forces.interface);
+    if (interface_) interface_->add_force(motion, window_share_ * scale, forces.interface);
     forces.correction.setZero();
-    if (correction_) correction_->add_force(motion, scale, forces.correction);
+    if (correction_) correction_->add_force(motion, window_share_ * scale, forces.correction);
+    if (window_share_ < 1) {
+        forces.interface += interface_start_;
+        forces.correction += correction_start_;
+    }
     return {};
 }
 
@@ -92,8 +103,9 @@ Matrix SolidForces::tangent(const Motion& motion, const TangentFactors& factors)
     body_->add_stiffness(motion.displacement, k);
     for (std::size_t i = 0; i < loads_.size(); ++i)
         loads_[i]->add_tangent(motion, factors.scale * load_factor(i, factors.time), factors.velocity_slope, k);
-    if (interface_) interface_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
-    if (correction_) correction_->add_tangent(motion, factors.scale, factors.velocity_slope, k);
+    const double share = window_share_ * factors.scale;
+    if (interface_) interface_->add_tangent(motion, share, factors.velocity_slope, k);
+    if (correction_) correction_->add_tangent(motion, share, factors.velocity_slope, k);
     if (damped_) k.coeffs() += factors.velocity_slope * damping_.coeffs();
     k.coeffs() = factors.stiffness * k.coeffs() + factors.mass * mass_.coeffs();
     return k;

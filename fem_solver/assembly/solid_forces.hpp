@@ -46,6 +46,9 @@ public:
     const std::vector<std::string>& load_names() const { return load_names_; }
     void set_interface_load(std::unique_ptr<Load> load) { interface_ = std::move(load); }
     void set_correction(std::unique_ptr<Load> load) { correction_ = std::move(load); }
+    /// Where a sub-step ends within the window of a fluid's load: the interface's forces are (1 - share) those of the
+    /// window's start, as they were there, and share those of its end.
+    void set_window(double share, const Forces& start);
 
     const MatrixPattern& pattern() const { return pattern_; }
     Eigen::Index dofs() const { return mass_.rows(); }
@@ -89,6 +92,8 @@ private:
     std::vector<TimeFactor> factors_;
     std::vector<std::string> load_names_;
     std::unique_ptr<Load> interface_, correction_;
+    double window_share_ = 1;
+    Eigen::VectorXd interface_start_, correction_start_;
     double element_size_ = 0, round_off_ = 0; // [m], eps K [N/m]
 };
 

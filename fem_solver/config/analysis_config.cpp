@@ -30,7 +30,14 @@ base::Table<TimeConfig> time_table()
               .max = 0})
         .key("dt", &TimeConfig::dt,
              {.unit = "s", .doc = "step length of a run alone; coupled, the fluid sets it", .min = 0})
-        .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of a run alone; coupling.toml overrules it", .min = 0});
+        .key("end", &TimeConfig::end, {.unit = "s", .doc = "end of a run alone; coupling.toml overrules it", .min = 0})
+        .key("sub_steps", &TimeConfig::sub_steps,
+             {.unit = "-",
+              .doc =
+                  "HHT steps in each step; a fluid's load changes linearly over them. Beside that a step that does not "
+                  "converge is cut in halves by itself",
+              .min = 1,
+              .max = 10000});
 }
 
 base::Table<NewtonConfig> newton_table()

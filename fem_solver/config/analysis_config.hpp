@@ -21,6 +21,7 @@ struct TimeConfig {
     double alpha = -0.05;
     double dt = 0;
     double end = 0;
+    int sub_steps = 1;
 };
 
 /// [newton]

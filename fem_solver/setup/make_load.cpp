@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/setup/make_load.hpp"
 
+#include "coupler_lib/foundation/check.hpp"
 #include "fem_solver/assembly/pressure_load.hpp"
 #include "fem_solver/assembly/surface_traction.hpp"
 
@@ -59,7 +60,13 @@ std::unique_ptr<Load> make_load(const LoadConfig& load, const Mesh& mesh, const 
 std::function<double(double)> function_of_time(const base::Formula& formula)
 {
     auto expression = std::make_shared<base::Expression>(formula, std::vector<std::string>{"t"});
-    return [expression](double t) { return (*expression)({t}); };
+    return [expression](double t) {
+        try {
+            return (*expression)({t});
+        } catch (const base::Error& error) { // no value at this t: the run fails, the file was read long ago
+            throw base::Error(base::ExitCode::numerical_failure, error.what());
+        }
+    };
 }
 
 } // namespace fem

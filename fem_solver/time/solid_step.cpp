@@ -12,17 +12,19 @@ namespace {
 constexpr int max_halvings = 12;
 /// A kept factorisation survives this relative change of the step length.
 constexpr double same_dt = 0.02;
+/// Into so many parts an HHT step may be cut.
+constexpr int most_parts = 64;
 
 } // namespace
 
-SolidStep::SolidStep(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const Hht& hht,
-                     const NewtonSettings& newton, Predictor predictor)
+SolidStep::SolidStep(const Mesh& mesh, SolidForces& forces, const Supports& supports, const Hht& hht,
+                     const StepSettings& settings)
     : mesh_(mesh),
       model_(forces),
       supports_(supports),
       hht_(hht),
-      newton_(newton),
-      predictor_(predictor),
+      settings_(settings),
+      newton_(settings.newton),
       ledger_(forces, supports, hht),
       forces_n_(Forces::zero(forces.dofs())),
       forces_np1_(forces_n_)
@@ -47,28 +49,66 @@ void SolidStep::start(Motion& motion)
 
 void SolidStep::advance(Motion& motion, double dt)
 {
-    const Motion motion_n = motion;
-    if (!iterate(motion, predictor_, dt)) {
-        motion = motion_n;
-        factorised_dt_ = 0; // the second attempt shares nothing with the first
-        if (!iterate(motion, Predictor::still, dt)) fail(motion, dt);
-    }
-    ledger_.account(motion_n, motion, forces_n_, forces_np1_, dt);
-    std::swap(forces_n_, forces_np1_);
-    time_ += dt;
+    const Forces start = forces_n_;
+    const double t_n = time_;
+    for (int k = 0; k < settings_.sub_steps; ++k)
+        advance_part(motion, dt / settings_.sub_steps,
+                     [&](double part) { model_.set_window((k + part) / settings_.sub_steps, start); });
+    time_ = t_n + dt;
     ++steps_;
+}
+
+/// One HHT step, or its halves of halves where it does not converge. \param set_load sets the fluid's load for the end of
+/// the given part of the step, 0 to 1.
+void SolidStep::advance_part(Motion& motion, double dt, const std::function<void(double)>& set_load)
+{
+    int stride = most_parts;
+    for (int done = 0; done < most_parts;) {
+        const Motion motion_n = motion;
+        const double length = dt * stride / most_parts;
+        set_load(static_cast<double>(done + stride) / most_parts);
+        if (attempt(motion, length)) {
+            ledger_.account(motion_n, motion, forces_n_, forces_np1_, length);
+            std::swap(forces_n_, forces_np1_);
+            time_ += length;
+            ++sub_steps_;
+            done += stride;
+            if (done % (2 * stride) == 0 && done < most_parts) stride *= 2; // two halves are done
+            continue;
+        }
+        const std::string what = failure_text(motion, length);
+        if (stride == 1)
+            throw base::Error(base::ExitCode::numerical_failure,
+                              what + ". Try a smaller time step, a finer mesh there, or check loads and supports");
+        report_(what + "; half of it is tried");
+        motion = motion_n;
+        stride /= 2;
+    }
+}
+
+/// One HHT step from the chosen prediction or else from the displacement of its start; false when neither converges.
+bool SolidStep::attempt(Motion& motion, double dt)
+{
+    const Motion motion_n = motion;
+    if (iterate(motion, settings_.predictor, dt)) return true;
+    motion = motion_n;
+    factorised_dt_ = 0; // the second attempt shares nothing with the first
+    return iterate(motion, Predictor::still, dt);
 }
 
 /// Newton's iteration from a prediction; false when it does not converge.
 bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
 {
+    newton_.start();
     if (!predict(motion, predictor, dt)) return false;
-    for (newton_.start();;) {
+    for (;;) {
         const Eigen::VectorXd inertia = model_.inertia(motion.acceleration);
         Eigen::VectorXd r = residual(inertia);
         supports_.clear_rows(r);
         if (newton_.converged(r, force_scale(inertia), model_.round_off(motion))) return true;
-        if (newton_.exhausted()) return false;
+        if (const auto entry = first_not_a_number(r); entry >= 0)
+            return fails({Failure::Kind::not_a_number, {}, entry / mesh_.dimension});
+        if (newton_.exhausted()) return fails({});
         if (newton_.slow() || std::abs(dt - factorised_dt_) > same_dt * factorised_dt_) factorise(motion, dt);
         if (!apply(motion, solver_.solve(-r), dt)) return false;
     }
@@ -81,7 +121,8 @@ bool SolidStep::predict(Motion& motion, Predictor predictor, double dt)
     else
         hht_.predict(motion, dt);
     supports_.set_motion(time_ + dt, motion);
-    return !model_.evaluate(motion, 1, forces_np1_, time_ + dt).happened();
+    const Inversion inversion = model_.evaluate(motion, 1, forces_np1_, time_ + dt);
+    return !inversion.happened() || fails({Failure::Kind::inversion, inversion});
 }
 
 /// M a_1 + (1 + alpha) g_1 - alpha g_0
@@ -113,26 +154,19 @@ bool SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double 
     ++iterations_;
     double scale = 1;
     hht_.correct(motion, correction, scale, dt);
-    for (int halvings = 0; model_.evaluate(motion, 1, forces_np1_, time_ + dt).happened(); ++halvings) {
-        if (halvings == max_halvings || !correction.allFinite()) return false;
+    for (int halvings = 0;; ++halvings) {
+        const Inversion inversion = model_.evaluate(motion, 1, forces_np1_, time_ + dt);
+        if (!inversion.happened()) return true;
+        if (halvings == max_halvings || !correction.allFinite()) return fails({Failure::Kind::inversion, inversion});
         scale *= 0.5;
         hht_.correct(motion, correction, -scale, dt);
     }
-    return true;
 }
 
-void SolidStep::fail(const Motion& motion, double dt) const
+std::string SolidStep::failure_text(const Motion& motion, double dt) const
 {
-    const int node = static_cast<int>(newton_.worst()) / mesh_.dimension;
-    std::string displaced;
-    for (int k = 0; k < mesh_.dimension; ++k)
-        displaced += base::text(k > 0 ? ", " : "", motion.displacement[node * mesh_.dimension + k]);
-    throw base::Error(base::ExitCode::numerical_failure,
-                      base::text("the solid's step ", steps_ + 1, " from t = ", time_, " s, dt = ", dt,
-                                 " s, did not converge in ", newton_.residuals().size(),
-                                 " iterations: largest residual ", newton_.residuals().back(), " N at node ", node,
-                                 ", reference position ", mesh_.describe_node(node), " m, displacement (", displaced,
-                                 ") m. Try a smaller time step, a finer mesh there, or check the load"));
+    return base::text("the solid's step ", steps_ + 1, " from t = ", time_, " s, dt = ", dt, " s, ",
+                      describe(failure_, mesh_, motion, newton_));
 }
 
 } // namespace fem

@@ -2,29 +2,45 @@
 #pragma once
 
 #include "fem_solver/solve/linear_solver.hpp"
-#include "fem_solver/solve/newton.hpp"
 #include "fem_solver/time/energy_ledger.hpp"
+#include "fem_solver/time/failure.hpp"
+
+#include <functional>
+#include <string>
 
 namespace fem {
 
 /// Where Newton's iteration of a step starts: with the acceleration or with the displacement of the step's start.
 enum class Predictor { constant_acceleration, still };
 
-/// One implicit HHT step of the solid after the other.
+/// Choices of the step.
+struct StepSettings {
+    NewtonSettings newton;
+    Predictor predictor = Predictor::constant_acceleration;
+    int sub_steps = 1; ///< equal HHT steps in each step
+};
+
+/// One implicit step of the solid after the other, in one HHT step or several.
 ///
+/// An HHT step that does not converge is cut in halves of halves, down to 1/64, which are joined again where they are easy.
+/// Loads of the configuration are taken at each sub-step's own time; a fluid's load changes linearly over the step.
 /// The factorisation is kept over the steps and renewed when it contracts too little or the step length has changed by
 /// more than 2 %. An iteration that fails from the chosen start is tried once more from the displacement of the step's
 /// start with a new factorisation.
 class SolidStep {
 public:
     /// All references outlive the step.
-    SolidStep(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const Hht& hht,
-              const NewtonSettings& newton, Predictor predictor = Predictor::constant_acceleration);
+    SolidStep(const Mesh& mesh, SolidForces& forces, const Supports& supports, const Hht& hht,
+              const StepSettings& settings);
+
+    /// Called with a line for the log whenever an HHT step is cut.
+    using Reporter = std::function<void(const std::string& line)>;
+    void report_to(Reporter reporter) { report_ = std::move(reporter); }
 
     /// Solves the initial acceleration, M a_0 = - g_0, for the loads as they are now, and opens the energy books.
     void start(Motion& motion);
     /// Advances the motion by dt [s]; the loads must hold what acts at the end of the step.
-    /// \throws base::Error numerical_failure naming the worst node, its position, the step and what to try.
+    /// \throws base::Error numerical_failure naming node or element, its position, the step and what to try.
     void advance(Motion& motion, double dt);
 
     const SolidEnergies& energies() const { return ledger_.energies(); }
@@ -32,30 +48,40 @@ public:
     /// Nodal forces by origin at the end of the last step.
     const Forces& forces() const { return forces_n_; }
     long steps() const { return steps_; }
+    long sub_steps() const { return sub_steps_; }
     long iterations() const { return iterations_; }
     long factorisations() const { return solver_.factorisations(); }
 
 private:
+    void advance_part(Motion& motion, double dt, const std::function<void(double)>& set_load);
+    bool attempt(Motion& motion, double dt);
     bool iterate(Motion& motion, Predictor predictor, double dt);
     bool predict(Motion& motion, Predictor predictor, double dt);
     Eigen::VectorXd residual(const Eigen::VectorXd& inertia) const;
     double force_scale(const Eigen::VectorXd& inertia) const;
     void factorise(const Motion& motion, double dt);
     [[nodiscard]] bool apply(Motion& motion, const Eigen::VectorXd& correction, double dt);
-    [[noreturn]] void fail(const Motion& motion, double dt) const;
+    bool fails(const Failure& failure)
+    {
+        failure_ = failure;
+        return false;
+    }
+    std::string failure_text(const Motion& motion, double dt) const;
 
     const Mesh& mesh_;
-    const SolidForces& model_;
+    SolidForces& model_;
     const Supports& supports_;
     Hht hht_;
+    StepSettings settings_;
     NewtonMonitor newton_;
-    Predictor predictor_;
     LinearSolver solver_;
     EnergyLedger ledger_;
     Forces forces_n_, forces_np1_;
+    Failure failure_; // the last one
+    Reporter report_ = [](const std::string&) {};
     double factorised_dt_ = 0;
     double time_ = 0;
-    long steps_ = 0, iterations_ = 0;
+    long steps_ = 0, sub_steps_ = 0, iterations_ = 0;
 };
 
 } // namespace fem

@@ -85,8 +85,7 @@ bool StaticSolution::equilibrate(Motion& motion, double factor)
         supports_.clear_rows(residual);
         supports_.clear(matrix, matrix.diagonal().mean());
         if (!factorise(matrix) || !apply(motion, gap - solver_.solve(residual), factor)) return false;
-        if (!there && !supports_.gap(time(factor), motion.displacement).isZero(1e-12))
-            return fails({}); // cut on the way
+        if (!there && !supports_.gap(time(factor), motion.displacement).isZero(1e-12)) return false; // cut on the way
         gap.setZero();
     }
 }
@@ -114,7 +113,8 @@ bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, do
     for (int halvings = 0;; ++halvings) {
         const Inversion inversion = model_.evaluate(motion, factor, forces_now_, time(factor));
         if (!inversion.happened()) return true;
-        if (halvings == max_halvings) return fails({Failure::Kind::inversion, inversion});
+        failure_ = {Failure::Kind::inversion, inversion};
+        if (halvings == max_halvings) return false;
         scale *= 0.5;
         motion.displacement -= scale * correction;
     }

@@ -38,7 +38,7 @@ TEST(RayleighDamping, FirstModeDecaysWithItsRatio)
     const Mode mode = first_mode(gate);
     const double eta = 2e-4, mass = 2, ratio = 0.5 * (eta * mode.w + mass / mode.w);
     gate.forces.set_damping({eta, mass});
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(0), {1e-13, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(0), {{1e-13, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     motion.displacement = 1e-3 * mode.shape;
     motion.velocity = -ratio * mode.w * motion.displacement; // as in exp(-ratio w t) cos(w_d t)

@@ -24,7 +24,7 @@ Balance run(double tolerance, double alpha)
     gate.add_water();
     gate.forces.set_gravity({0, -9.81});
     gate.forces.set_damping({1e-5, 0.5});
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(alpha), {tolerance, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(alpha), {{tolerance, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     Balance balance;
@@ -80,7 +80,7 @@ TEST(EnergyIdentity, ImpedanceWorkIsBooked)
     auto load = std::make_unique<ImpedanceLoad>(gate.mesh, gate.forces.pattern(), facets);
     ImpedanceLoad& impedance = *load;
     gate.forces.set_correction(std::move(load));
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-13, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {{1e-13, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(gate.forces.dofs());

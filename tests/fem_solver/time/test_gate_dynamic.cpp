@@ -92,7 +92,7 @@ TEST(GateSudden, AFailedStepNamesNodeAndStep)
 {
     Gate gate(ElementType::quad8, rubber());
     gate.add_water();
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-9, 1, 0.1}); // one iteration is too few
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {{1e-9, 1, 0.1}}); // one iteration is too few
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     try {

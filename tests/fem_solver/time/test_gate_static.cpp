@@ -138,7 +138,7 @@ TEST(GateStatic, AMotionThatStartsInEquilibriumStaysThere)
     solution.solve(motion, 4, [](double) {});
     const double settled = motion.displacement[gate.tip];
     EXPECT_GT(settled, 0.03);
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-11, 25, 0.1});
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {{1e-11, 25, 0.1}});
     step.start(motion);
     for (int i = 0; i < 9; ++i) step.advance(motion, 1e-3);
     EXPECT_NEAR(motion.displacement[gate.tip], settled, 1e-9);

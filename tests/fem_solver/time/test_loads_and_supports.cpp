@@ -68,7 +68,7 @@ TEST(MovedSupport, ShakesTheGateAndTheBooksClose)
     for (const double alpha : {0.0, -0.05, -0.3}) {
         Gate gate(ElementType::quad8, rubber(), {}, {1, 8});
         gate.supports.prescribe("top", "x", along(swing(0.01, 40)));
-        SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(alpha), {1e-14, 50, 0.1});
+        SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(alpha), {{1e-14, 50, 0.1}});
         Motion motion = Motion::at_rest(gate.forces.dofs());
         step.start(motion);
         double work = 0, error = 0;
@@ -139,7 +139,7 @@ TEST(RigidDrive, EachGroupHasItsWork)
                                                        std::array<base::TimeFunction, 3>{swing(0.01, 40), still, still},
                                                        swing(0.2, 30)));
     supports.prescribe("bottom", "x", along(swing(0.005, 60)));
-    SolidStep step(gate.mesh, gate.forces, supports, Hht(-0.05), {1e-14, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, supports, Hht(-0.05), {{1e-14, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     for (int i = 0; i < 100; ++i) step.advance(motion, 5e-4);
@@ -198,7 +198,7 @@ TEST(SpringLoad, SwingsAndItsWorkIsItsEnergy)
     gate.forces.add_load(std::make_unique<Springs>(spring_stiffness(gate.mesh, gate.forces.pattern(),
                                                                     gate.mesh.faces("left"), {stiffness, 0})),
                          "spring");
-    SolidStep step(gate.mesh, gate.forces, rail, Hht(0), {1e-12, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, rail, Hht(0), {{1e-12, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     for (int i = 0; i < gate.mesh.nodes(); ++i) motion.displacement[2 * i] = 0.01;
     step.start(motion);
@@ -222,7 +222,7 @@ TEST(TimeFactor, ScalesALoadAndSharesTheWork)
     };
     add(1000, "ramp", [](double t) { return t / 0.01; });
     add(500, "burst", [](double t) { return t < 0.005 ? 1.0 : 0.0; });
-    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {1e-14, 50, 0.1});
+    SolidStep step(gate.mesh, gate.forces, gate.supports, Hht(-0.05), {{1e-14, 50, 0.1}});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     step.start(motion);
     for (int i = 0; i < 100; ++i) step.advance(motion, 1e-4);
