@@ -118,6 +118,10 @@ template<int D> void LoadSum::add_force(PacketReader& packet, const FacetRoute& 
     const auto& nodes = given.nodes();
     if (packet.header().has(force_is_whole)) {
         const char* from = packet.view(nodes.size(), D * sizeof(double));
+        if (nodes.size() * D == whole_force_.size()) { // all of them, in order
+            if (!nodes.empty()) std::memcpy(whole_force_.data(), from, nodes.size() * D * sizeof(double));
+            return;
+        }
         for (std::size_t k = 0; k < nodes.size(); ++k)
             std::memcpy(&whole_force_[static_cast<std::size_t>(nodes[k]) * D], from + k * D * sizeof(double),
                         D * sizeof(double));

@@ -10,20 +10,20 @@ namespace coupler {
 
 /// How a rank waits for a partner.
 enum class WaitStyle {
-    automatic, ///< spin, then yield, then sleep; spins longer where every rank on the host has a core of its own
+    automatic, ///< spin, then yield, then sleep; yields at once where the run has more ranks than cores on a host
     spin,      ///< never give the core away: the least latency, for ranks with cores of their own
     yield      ///< give the core away at once: for ranks that share cores
 };
 
-/// One wait: it spins, then gives its core away (sched_yield), then sleeps 50 us at a time, so that ranks which share
-/// cores do not starve each other. \param crowded in the constructor: there are more ranks than cores on this host
+/// One wait: it spins for some ten microseconds, then gives its core away (sched_yield) for a millisecond, then sleeps
+/// 50 us at a time, so that ranks which share cores do not starve each other.
 class Patience {
 public:
-    explicit Patience(WaitStyle style = WaitStyle::automatic, bool crowded = true)
+    /// \param crowded  there are more ranks than cores on this host
+    explicit Patience(WaitStyle style = WaitStyle::automatic, bool crowded = false)
     {
-        if (style == WaitStyle::yield) spinning_turns_ = 0;
-        if (style == WaitStyle::spin) spinning_time_ = std::numeric_limits<double>::infinity();
-        if (style == WaitStyle::automatic && !crowded) spinning_time_ = 1e-3;
+        if (style == WaitStyle::spin) spinning_turns_ = std::numeric_limits<std::int64_t>::max();
+        if (style == WaitStyle::yield || (style == WaitStyle::automatic && crowded)) spinning_turns_ = 0;
     }
 
     /// One turn of waiting. \return true when this is a good moment to look for other news (errors, time-outs)
@@ -31,11 +31,7 @@ public:
     {
         ++turns_;
         if (turns_ < spinning_turns_) return turns_ % 64 == 0;
-        if (spinning_time_ > 0 && turns_ % 64 != 0) return false;
-        const double so_far = waited();
-        if (so_far < spinning_time_) return true;
-        spinning_time_ = 0;
-        if (so_far < sleeping_from_)
+        if (waited() < yielding_time_)
             sched_yield();
         else
             nap(50e-6);
@@ -55,11 +51,10 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr double sleeping_from_ = 2e-3; // [s]
+    static constexpr double yielding_time_ = 1e-3; // [s]
     Clock::time_point start_ = Clock::now();
     std::int64_t turns_ = 0;
-    int spinning_turns_ = 200; ///< before the clock is looked at
-    double spinning_time_ = 0; ///< [s]
+    std::int64_t spinning_turns_ = 200;
 };
 
 } // namespace coupler

@@ -32,16 +32,21 @@ std::size_t first_bad_node(const std::vector<double>& values, int dimension)
     return static_cast<std::size_t>(bad - values.begin()) / static_cast<std::size_t>(dimension);
 }
 
-/// Squared distance of the two points of each node; the index of the first node beyond `limit`, or the number of nodes.
+/// The first node whose two points are farther apart than `limit`, or the number of nodes.
 template<int D> std::size_t first_beyond(const std::vector<double>& a, const std::vector<double>& b, double limit)
 {
     const std::size_t nodes = std::min(a.size(), b.size()) / D;
-    for (std::size_t node = 0; node < nodes; ++node) {
-        double square = 0;
-        for (std::size_t k = node * D; k < (node + 1) * D; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
-        if (square > limit * limit) return node;
-    }
-    return a.size() / D;
+    const auto square = [&a, &b](std::size_t node) {
+        double sum = 0;
+        for (std::size_t k = node * D; k < (node + 1) * D; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+        return sum;
+    };
+    int beyond = 0; // without a branch, so that the loop is vectorised
+    for (std::size_t node = 0; node < nodes; ++node) beyond |= static_cast<int>(square(node) > limit * limit);
+    if (beyond == 0) return a.size() / D;
+    std::size_t node = 0;
+    while (square(node) <= limit * limit) ++node;
+    return node;
 }
 
 double distance(const double* a, const double* b, int dimension)
