@@ -112,7 +112,6 @@ struct Participant::Parts {
     std::int64_t step = -1;
     double time = 0;
     double waited = 0;
-    bool crowded = false; ///< more ranks than cores on this host
 };
 
 Participant::Participant(const ParticipantSettings& settings) : parts_(std::make_unique<Parts>(settings))
@@ -122,7 +121,6 @@ Participant::Participant(const ParticipantSettings& settings) : parts_(std::make
     for (int rank = 0; rank < static_cast<int>(parts_->introductions.size()); ++rank)
         if (rank != world_rank() && introduction(rank).host == host)
             neighbours.push_back({introduction(rank).pid, name_of(rank)});
-    parts_->crowded = static_cast<long>(neighbours.size()) + 1 > sysconf(_SC_NPROCESSORS_ONLN);
     parts_->watch.set_neighbours(std::move(neighbours), world_rank());
 }
 
@@ -187,7 +185,7 @@ double Participant::wait_until(const std::function<bool()>& done, const char* wh
                                const std::function<std::vector<int>()>& pending)
 {
     if (done()) return 0;
-    Patience patience(parts_->settings.wait, parts_->crowded);
+    Patience patience(parts_->settings.wait);
     double left_since = -1;
     for (;;) {
         if (done()) {

@@ -10,7 +10,7 @@ namespace coupler {
 
 /// How a rank waits for a partner.
 enum class WaitStyle {
-    automatic, ///< spin, then yield, then sleep; yields at once where the run has more ranks than cores on a host
+    automatic, ///< spin, then yield, then sleep
     spin,      ///< never give the core away: the least latency, for ranks with cores of their own
     yield      ///< give the core away at once: for ranks that share cores
 };
@@ -19,11 +19,10 @@ enum class WaitStyle {
 /// 50 us at a time, so that ranks which share cores do not starve each other.
 class Patience {
 public:
-    /// \param crowded  there are more ranks than cores on this host
-    explicit Patience(WaitStyle style = WaitStyle::automatic, bool crowded = false)
+    explicit Patience(WaitStyle style = WaitStyle::automatic)
     {
         if (style == WaitStyle::spin) spinning_turns_ = std::numeric_limits<std::int64_t>::max();
-        if (style == WaitStyle::yield || (style == WaitStyle::automatic && crowded)) spinning_turns_ = 0;
+        if (style == WaitStyle::yield) spinning_turns_ = 0;
     }
 
     /// One turn of waiting. \return true when this is a good moment to look for other news (errors, time-outs)
