@@ -4,7 +4,6 @@
 //     M = mu pi psi a^4 / 2,     N = - mu pi psi^2 a^4 / 4,     psi = turn per length
 #include "fem_solver/mesh/block_mesh.hpp"
 #include "fem_solver/time/static_solution.hpp"
-#include "tests/fem_solver/support/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,8 +54,6 @@ TEST(Torsion, MomentAndNormalForceOfRivlin)
     const Twist solid = twist(ElementType::hexa27, {2, 2, 3});
     EXPECT_NEAR(solid.moment / 0.308425, 1, 0.01);
     EXPECT_NEAR(solid.force / -12.1118, 1, 0.01);
-    fem_test::record("torsion_moment", solid.moment);
-    fem_test::record("torsion_force", solid.force);
 }
 
 } // namespace
