@@ -8,6 +8,7 @@ import signal
 import subprocess
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -109,6 +110,13 @@ class Run:
             if self.pids(program):
                 faults.append(f"{program} is still running")
         assert not faults, "; ".join(faults)
+
+
+def side_by_side(drill, cases: list[tuple]) -> None:
+    """One drill for each case, four at a time: they mostly sleep. The first failure is raised."""
+    with ThreadPoolExecutor(max_workers=4) as pool:
+        for done in [pool.submit(drill, *case) for case in cases]:
+            done.result()
 
 
 def drill_main(namespace: dict, doc: str, more: dict | None = None) -> int:

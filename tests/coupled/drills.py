@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from drill_tools import CASE, Run, Segment, drill_main, fluid, solid
+from drill_tools import CASE, Run, Segment, drill_main, fluid, side_by_side, solid
 
 SLOW = ("fluid.run.sleep=0.005", "coupling.time.end=1000")  # runs on until something happens
 
@@ -150,10 +150,11 @@ def leaves_early(programs):
 
 
 def asked_to_stop(programs):
-    for program, how in (("fake_solid", signal.SIGTERM), ("fake_fluid", signal.SIGTERM), ("fake_fluid", signal.SIGUSR1)):
+    def one(program: str, how: signal.Signals) -> None:
         run = under_way(programs, fluids=2)
         cause = run.kill(program, which=-1, how=how)
         run.finish().expect(5, cause=cause, messages=0)
+    side_by_side(one, [("fake_solid", signal.SIGTERM), ("fake_fluid", signal.SIGTERM), ("fake_fluid", signal.SIGUSR1)])
 
 
 def unhurt(programs):
@@ -188,10 +189,11 @@ MOMENTS = ("start", "exchange", "step", "end")
 
 
 def signalled(programs, moment: str, kind: str) -> None:
-    for role, other in (("solid", "fluid"), ("fluid", "solid")):
+    def one(role: str, other: str) -> None:
         run = Run(programs, [fluid(), solid()], (f'{role}.fault.kind="{kind}"', f'{role}.fault.moment="{moment}"', f"{role}.fault.step=10"))
         code, piece = SIGNALS[kind]
         run.finish().expect(code, f"the partner '{role}' (rank {0 if role == 'fluid' else 1}", piece, f"'{other}' (rank")
+    side_by_side(one, [("solid", "fluid"), ("fluid", "solid")])
 
 
 def signal_drills() -> dict:
@@ -202,30 +204,32 @@ def signal_drills() -> dict:
 
 def terminated(programs):
     """SIGTERM to one process while all live is a request to stop, whenever it comes before the end."""
-    for moment, role in (("start", "solid"), ("exchange", "fluid"), ("exchange", "solid"), ("step", "fluid")):
+    def one(role: str, moment: str) -> None:
         fault = (f'{role}.fault.kind="terminate"', f'{role}.fault.moment="{moment}"', f"{role}.fault.step=10")
-        run = Run(programs, [fluid(), solid()], (*fault, *SLOW))
-        run.finish().expect(5, messages=0)
+        Run(programs, [fluid(), solid()], (*fault, *SLOW)).finish().expect(5, messages=0)
+    side_by_side(one, [("solid", "start"), ("fluid", "exchange"), ("solid", "exchange"), ("fluid", "step")])
 
 
 def throws_at_any_moment(programs):
-    for moment in MOMENTS:
-        for role in ("fluid", "solid"):
-            acted_out(programs, role, "throw", 3, f"'{role}' (rank", "the fault that was asked for", settings=(f'{role}.fault.moment="{moment}"',))
+    def one(role: str, moment: str) -> None:
+        acted_out(programs, role, "throw", 3, f"'{role}' (rank", "the fault that was asked for", settings=(f'{role}.fault.moment="{moment}"',))
+    side_by_side(one, [(role, moment) for role in ("fluid", "solid") for moment in MOMENTS])
 
 
 def leaves_at_any_moment(programs):
-    for moment in ("start", "exchange", "step"):
-        for role, other in (("fluid", "solid"), ("solid", "fluid")):
-            acted_out(programs, role, "leave", 4, f"'{other}' (rank", f"from '{role}' (rank", "has ended its run early",
-                      settings=(f'{role}.fault.moment="{moment}"',))
+    def one(role: str, other: str, moment: str) -> None:
+        acted_out(programs, role, "leave", 4, f"'{other}' (rank", f"from '{role}' (rank", "has ended its run early",
+                  settings=(f'{role}.fault.moment="{moment}"',))
+    pairs = (("fluid", "solid"), ("solid", "fluid"))
+    side_by_side(one, [(*pair, moment) for pair in pairs for moment in ("start", "exchange", "step")])
 
 
 def stopped_process(programs):
     """SIGSTOP: the process lives and will never answer; nothing is left of it in the end."""
-    for role, other in (("fluid", "solid"), ("solid", "fluid")):
+    def one(role: str, other: str) -> None:
         acted_out(programs, role, "stop", 4, f"'{other}' (rank", f"from '{role}' (rank", "is silent",
                   settings=(f'{role}.fault.moment="step"', "coupling.coupling.silence_timeout=1"))
+    side_by_side(one, [("fluid", "solid"), ("solid", "fluid")])
 
 
 def waits_of_every_style(programs):
