@@ -46,7 +46,12 @@ SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, c
       probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
       reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
       fields_(session.own_dir(), model.mesh(), session.comm())
-{}
+{
+    if (!model.contacts()) return;
+    std::vector<std::string> groups;
+    for (const auto& contact : model.contacts()->all()) groups.push_back(contact->group());
+    contact_table_.emplace(session.own_dir(), model.mesh().dimension, groups);
+}
 
 void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
                         const Eigen::VectorXd& reaction)
@@ -61,9 +66,34 @@ void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEne
         row.insert(row.begin(), now.time);
         reaction_table_.row(row);
         reaction_table_.flush();
+        write_contacts(now, motion);
     }
     if (field_clock_.due(now.time) || now.last)
-        fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement));
+        fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement),
+                      contact_fields(now, motion));
+}
+
+void SolidOutput::write_contacts(const Instant& now, const Motion& motion)
+{
+    if (!contact_table_) return;
+    std::vector<ContactRow> rows;
+    for (const auto& contact : model_.contacts()->all()) {
+        const ContactResultants sum = contact->resultants(motion, now.time);
+        rows.push_back({sum.normal, sum.friction, sum.area, sum.pressure, sum.penetration});
+    }
+    contact_table_->write(now.time, rows);
+}
+
+ContactFields SolidOutput::contact_fields(const Instant& now, const Motion& motion) const
+{
+    ContactFields fields;
+    if (!model_.contacts()) return fields;
+    const auto count = static_cast<std::size_t>(model_.mesh().nodes());
+    fields.pressure.assign(count, 0.0);
+    fields.slip.assign(count, 0.0);
+    for (const auto& contact : model_.contacts()->all())
+        contact->add_fields(motion, now.time, fields.pressure, fields.slip);
+    return fields;
 }
 
 std::vector<double> SolidOutput::reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const

@@ -3,6 +3,7 @@
 
 #include "coupler_lib/base/output_clock.hpp"
 #include "coupler_lib/session/session.hpp"
+#include "fem_solver/output/contact_table.hpp"
 #include "fem_solver/output/energy_table.hpp"
 #include "fem_solver/output/field_file.hpp"
 #include "fem_solver/output/probes.hpp"
@@ -18,7 +19,8 @@ struct Instant {
     bool last = false;
 };
 
-/// All files that the solid writes over time, each when it is due: energy.csv, probes.csv, reactions.csv, fields.
+/// All files that the solid writes over time, each when it is due: energy.csv, probes.csv, reactions.csv,
+/// contact.csv, fields.
 class SolidOutput {
 public:
     SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model);
@@ -28,6 +30,8 @@ public:
                const Eigen::VectorXd& reaction);
 
 private:
+    void write_contacts(const Instant& now, const Motion& motion);
+    ContactFields contact_fields(const Instant& now, const Motion& motion) const;
     std::vector<double> reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const;
 
     const SolidModel& model_;
@@ -35,6 +39,7 @@ private:
     base::OutputClock row_clock_, field_clock_;
     EnergyTable energy_table_;
     base::CsvWriter probe_table_, reaction_table_;
+    std::optional<ContactTable> contact_table_;
     FieldFile fields_;
 };
 

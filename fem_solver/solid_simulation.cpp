@@ -103,10 +103,21 @@ void SolidSimulation::run_static()
     finish(base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", energies.strain));
 }
 
-/// Brings the body to rest under its own weight and loads, where the motion is to start from there.
+/// The state that the motion starts from.
+void SolidSimulation::prepare()
+{
+    if (config_.analysis.initial_equilibrium) settle();
+    const auto dimension = std::ssize(config_.initial.velocity);
+    for (Eigen::Index i = 0; i < motion_.velocity.size(); ++i)
+        motion_.velocity[i] = config_.initial.velocity[static_cast<std::size_t>(i % dimension)];
+    if (model_.contacts() && config_.time.alpha > -0.1)
+        session_.log().warn(base::text("[time] alpha = ", config_.time.alpha,
+                                       ": impacts want -0.1 or less, else they feed high frequencies"));
+}
+
+/// Brings the body to rest under its own weight and loads.
 void SolidSimulation::settle()
 {
-    if (!config_.analysis.initial_equilibrium) return;
     StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton),
                             LoadTime::start);
     solution.report_to([&](const std::string& line) { session_.log().warn(line); });
@@ -119,7 +130,7 @@ void SolidSimulation::settle()
 void SolidSimulation::run_alone()
 {
     const double end = config_.time.end;
-    settle();
+    prepare();
     step_.start(motion_);
     write();
     base::Progress progress(session_.log(), 0, end);
@@ -138,7 +149,7 @@ void SolidSimulation::run_alone()
 void SolidSimulation::run_coupled()
 {
     const auto& coupling = session_.coupling();
-    settle();
+    prepare();
     loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(config_, coupling));
     fluid_.emplace(session_.participant(), coupling.interface_settings(), *boundary_,
                    acceleration_steps(coupling.scheme));

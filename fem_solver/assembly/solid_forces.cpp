@@ -9,18 +9,15 @@ namespace fem {
 Forces Forces::zero(Eigen::Index dofs)
 {
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(dofs);
-    return {z, z, z, z, z, z, {}};
+    return {z, z, z, z, z, z, z, z, {}};
 }
 
 Forces Forces::blend(double a, const Forces& other, double b) const
 {
-    Forces sum{a * internal + b * other.internal,
-               a * damping + b * other.damping,
-               a * gravity + b * other.gravity,
-               a * loads + b * other.loads,
-               a * interface + b * other.interface,
-               a * correction + b * other.correction,
-               {}};
+    Forces sum{
+        a * internal + b * other.internal, a * damping + b * other.damping,     a * gravity + b * other.gravity,
+        a * loads + b * other.loads,       a * interface + b * other.interface, a * correction + b * other.correction,
+        a * contact + b * other.contact,   a * friction + b * other.friction,   {}};
     for (std::size_t k = 0; k < each_load.size(); ++k)
         sum.each_load.push_back(a * each_load[k] + b * other.each_load[k]);
     return sum;
@@ -55,6 +52,12 @@ void SolidForces::set_gravity(const std::vector<double>& acceleration)
     Eigen::VectorXd field(dofs());
     for (Eigen::Index i = 0; i < field.size(); ++i) field[i] = acceleration[i % std::ssize(acceleration)];
     gravity_ = inertia(field);
+}
+
+void SolidForces::set_contact(std::unique_ptr<ContactForce> contact)
+{
+    contact_ = std::move(contact);
+    round_off_ += std::numeric_limits<double>::epsilon() * contact_->stiffness();
 }
 
 void SolidForces::add_load(std::unique_ptr<Load> load, std::string name, TimeFactor factor)
@@ -94,6 +97,9 @@ Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forc
         forces.interface += interface_start_;
         forces.correction += correction_start_;
     }
+    forces.contact.setZero();
+    forces.friction.setZero();
+    contact_->add_force(motion, time, forces.contact, forces.friction);
     return {};
 }
 
@@ -106,6 +112,7 @@ Matrix SolidForces::tangent(const Motion& motion, const TangentFactors& factors)
     const double share = window_share_ * factors.scale;
     if (interface_) interface_->add_tangent(motion, share, factors.velocity_slope, k);
     if (correction_) correction_->add_tangent(motion, share, factors.velocity_slope, k);
+    contact_->add_tangent(motion, factors.time, k);
     if (damped_) k.coeffs() += factors.velocity_slope * damping_.coeffs();
     k.coeffs() = factors.stiffness * k.coeffs() + factors.mass * mass_.coeffs();
     return k;

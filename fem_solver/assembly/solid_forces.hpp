@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "fem_solver/assembly/contact_force.hpp"
 #include "fem_solver/assembly/load.hpp"
 #include "fem_solver/assembly/solid_body.hpp"
 
@@ -17,11 +18,16 @@ struct Forces {
     Eigen::VectorXd loads;                  ///< pressures, tractions, nodal forces of the configuration
     Eigen::VectorXd interface;              ///< what the fluid sent
     Eigen::VectorXd correction;             ///< what the coupling scheme adds to it (impedance)
+    Eigen::VectorXd contact;                ///< pressure of what the body touches
+    Eigen::VectorXd friction;               ///< friction there
     std::vector<Eigen::VectorXd> each_load; ///< the parts of `loads`, one for each load
 
     static Forces zero(Eigen::Index dofs);
     /// g = f_int + C v - f_ext, the unbalanced force without inertia.
-    Eigen::VectorXd unbalanced() const { return internal + damping - gravity - loads - interface - correction; }
+    Eigen::VectorXd unbalanced() const
+    {
+        return internal + damping - gravity - loads - interface - correction - contact - friction;
+    }
     /// a times this plus b times other, origin by origin.
     Forces blend(double a, const Forces& other, double b) const;
 };
@@ -49,7 +55,10 @@ public:
     /// Where a sub-step ends within the window of a fluid's load: the interface's forces are (1 - share) those of the
     /// window's start, as they were there, and share those of its end.
     void set_window(double share, const Forces& start);
+    void set_contact(std::unique_ptr<ContactForce> contact);
 
+    /// What the body may touch; touches nothing unless set_contact was called.
+    ContactForce& contact() const { return *contact_; }
     const MatrixPattern& pattern() const { return pattern_; }
     Eigen::Index dofs() const { return mass_.rows(); }
     const Matrix& mass() const { return mass_; }
@@ -94,7 +103,8 @@ private:
     std::unique_ptr<Load> interface_, correction_;
     double window_share_ = 1;
     Eigen::VectorXd interface_start_, correction_start_;
-    double element_size_ = 0, round_off_ = 0; // [m], eps K [N/m]
+    std::unique_ptr<ContactForce> contact_ = std::make_unique<NoContact>();
+    double element_size_ = 0, round_off_ = 0; // [m], eps K [N/m], contact included
 };
 
 } // namespace fem

@@ -40,6 +40,13 @@ base::Table<TimeConfig> time_table()
               .max = 10000});
 }
 
+base::Table<InitialConfig> initial_table()
+{
+    return base::Table<InitialConfig>("the motion at the start")
+        .key("velocity", &InitialConfig::velocity,
+             {.unit = "m/s", .doc = "of all nodes, one number a dimension; supports keep theirs. Empty: at rest"});
+}
+
 base::Table<NewtonConfig> newton_table()
 {
     return base::Table<NewtonConfig>("the nonlinear iteration of a step")

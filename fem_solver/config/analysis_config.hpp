@@ -24,6 +24,11 @@ struct TimeConfig {
     int sub_steps = 1;
 };
 
+/// [initial]: the motion at the start.
+struct InitialConfig {
+    std::vector<double> velocity;
+};
+
 /// [newton]
 struct NewtonConfig {
     double tolerance = 1e-9;
@@ -47,6 +52,7 @@ struct OutputConfig {
 
 base::Table<AnalysisConfig> analysis_table();
 base::Table<TimeConfig> time_table();
+base::Table<InitialConfig> initial_table();
 base::Table<NewtonConfig> newton_table();
 base::Table<ProbeConfig> probe_table();
 base::Table<OutputConfig> output_table();

@@ -116,6 +116,20 @@ void name_loads(SolidConfig& config, const base::ConfigReader& reader)
     }
 }
 
+void check_contact(ContactConfig& contact, const base::ConfigReader& reader, const std::string& path, int dimension)
+{
+    if (contact.point.empty()) contact.point.assign(static_cast<std::size_t>(dimension), 0.0);
+    if (contact.normal.empty()) {
+        contact.normal.assign(static_cast<std::size_t>(dimension), 0.0);
+        contact.normal.back() = 1;
+    }
+    require_size(reader, contact.point, path + ".point", dimension);
+    require_size(reader, contact.normal, path + ".normal", dimension);
+    if (contact.ground != "table") return;
+    base::require_input(!contact.file.empty(), reader.where(path), ": a ground from a table needs file = \"FILE.csv\"");
+    contact.file = beside(reader, contact.file);
+}
+
 void check_support(const SupportConfig& support, const base::ConfigReader& reader, const std::string& path,
                    int dimension)
 {
@@ -163,9 +177,11 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
     config.supports = reader.tables("supports", support_table());
     config.drives = reader.tables("drives", drive_table());
     config.loads = reader.tables("loads", load_table());
+    config.contacts = reader.tables("contact", contact_table());
     config.interface = reader.table("interface", interface_table());
     config.analysis = reader.table("analysis", analysis_table());
     config.time = reader.table("time", time_table());
+    config.initial = reader.table("initial", initial_table());
     config.newton = reader.table("newton", newton_table());
     config.probes = reader.tables("probes", probe_table());
     config.output = reader.table("output", output_table());
@@ -176,9 +192,13 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
     check_material(config, reader, materials);
     if (config.gravity.acceleration.empty()) config.gravity.acceleration.assign(config.model.dimension, 0.0);
     require_size(reader, config.gravity.acceleration, "gravity.acceleration", config.model.dimension);
+    if (config.initial.velocity.empty()) config.initial.velocity.assign(config.model.dimension, 0.0);
+    require_size(reader, config.initial.velocity, "initial.velocity", config.model.dimension);
     name_loads(config, reader);
     for (std::size_t k = 0; k < config.loads.size(); ++k)
         check_load(config.loads[k], reader, element("loads", k), config.model.dimension);
+    for (std::size_t k = 0; k < config.contacts.size(); ++k)
+        check_contact(config.contacts[k], reader, element("contact", k), config.model.dimension);
     for (std::size_t k = 0; k < config.supports.size(); ++k)
         check_support(config.supports[k], reader, element("supports", k), config.model.dimension);
     for (std::size_t k = 0; k < config.drives.size(); ++k)

@@ -3,6 +3,7 @@
 
 #include "fem_solver/config/analysis_config.hpp"
 #include "fem_solver/config/body_config.hpp"
+#include "fem_solver/config/contact_config.hpp"
 #include "fem_solver/config/load_config.hpp"
 
 namespace fem {
@@ -18,9 +19,11 @@ struct SolidConfig {
     std::vector<SupportConfig> supports;
     std::vector<DriveConfig> drives;
     std::vector<LoadConfig> loads;
+    std::vector<ContactConfig> contacts;
     InterfaceConfig interface;
     AnalysisConfig analysis;
     TimeConfig time;
+    InitialConfig initial;
     NewtonConfig newton;
     std::vector<ProbeConfig> probes;
     OutputConfig output;

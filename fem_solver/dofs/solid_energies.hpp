@@ -13,6 +13,8 @@ struct SolidEnergies {
     double work_supports = 0, work_loads = 0;
     std::vector<double> work_of_load;    ///< parts of work_loads, one for each load
     std::vector<double> work_of_support; ///< parts of work_supports, one for each supported group
+    double contact = 0;                  ///< work of the contact's pressure
+    double friction = 0;                 ///< taken by friction: dissipated where the ground rests
     double damping = 0;                  ///< dissipated by C v
     double numerical_dissipation = 0;    ///< of the time scheme; second order in dt and not of one sign
     double balance_error = 0;            ///< what is left of the energy identity, see EnergyLedger

@@ -43,16 +43,21 @@ std::vector<double> FieldFile::in_space(const Eigen::VectorXd& field) const
     return result;
 }
 
-void FieldFile::write(double time, const Motion& motion, const std::vector<double>& stress)
+void FieldFile::write(double time, const Motion& motion, const std::vector<double>& stress,
+                      const ContactFields& contact)
 {
     const Eigen::Map<const Eigen::VectorXd> reference(mesh_->coordinates.data(), std::ssize(mesh_->coordinates));
     const std::vector<double> points = in_space(reference + motion.displacement);
     const std::vector<double> displacement = in_space(motion.displacement);
     const std::vector<double> velocity = in_space(motion.velocity);
-    file_.write(time, topology_, points,
-                {{"displacement", "m", "from the reference position", 3, &displacement, "Node"},
-                 {"velocity", "m/s", "of the nodes", 3, &velocity, "Node"},
-                 {"stress", "Pa", "Cauchy stress, mean over the element", 9, &stress, "Cell"}});
+    std::vector<base::XdmfField> fields{{"displacement", "m", "from the reference position", 3, &displacement, "Node"},
+                                        {"velocity", "m/s", "of the nodes", 3, &velocity, "Node"},
+                                        {"stress", "Pa", "Cauchy stress, mean over the element", 9, &stress, "Cell"}};
+    if (!contact.pressure.empty()) {
+        fields.push_back({"contact_pressure", "Pa", "per present area", 1, &contact.pressure, "Node"});
+        fields.push_back({"contact_slip", "m", "length of the way slipped in contact", 1, &contact.slip, "Node"});
+    }
+    file_.write(time, topology_, points, fields);
 }
 
 } // namespace fem

@@ -7,13 +7,18 @@
 
 namespace fem {
 
-/// fields.xdmf and fields.h5: the deformed mesh with displacement, velocity and Cauchy stress over time.
+/// Pressure [Pa] and way slipped [m] at each node; both empty where the body touches nothing.
+struct ContactFields {
+    std::vector<double> pressure, slip;
+};
+
+/// fields.xdmf and fields.h5: the deformed mesh with displacement, velocity, Cauchy stress and contact over time.
 class FieldFile {
 public:
     FieldFile(const std::string& folder, const Mesh& mesh, const base::Communicator& comm);
 
     /// \param stress 9 numbers per element [Pa].
-    void write(double time, const Motion& motion, const std::vector<double>& stress);
+    void write(double time, const Motion& motion, const std::vector<double>& stress, const ContactFields& contact);
 
 private:
     std::vector<double> in_space(const Eigen::VectorXd& field) const;

@@ -3,6 +3,7 @@
 
 #include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/setup/make_contact.hpp"
 #include "fem_solver/setup/make_load.hpp"
 #include "fem_solver/setup/make_mesh.hpp"
 
@@ -81,6 +82,7 @@ SolidModel::SolidModel(const SolidConfig& config)
     forces_.set_damping({config.damping.stiffness, config.damping.mass});
     forces_.set_gravity(config.gravity.acceleration);
     for (const LoadConfig& load : config.loads) add_load(load);
+    add_contacts(config.contacts, config.analysis.kind == "dynamic");
 }
 
 void SolidModel::add_support(const SupportConfig& support)
@@ -105,6 +107,15 @@ void SolidModel::add_drive(const DriveConfig& drive)
                     std::make_shared<RigidDrive>(point(drive.centre, 0), point(drive.axis, 0),
                                                  std::array{over_time(drive.x), over_time(drive.y), over_time(drive.z)},
                                                  over_time(drive.angle)));
+}
+
+void SolidModel::add_contacts(const std::vector<ContactConfig>& contacts, bool dynamic)
+{
+    if (contacts.empty()) return;
+    auto all = std::make_unique<Contacts>();
+    for (const ContactConfig& contact : contacts) all->add(make_contact(contact, mesh_, forces_, dynamic));
+    contacts_ = all.get();
+    forces_.set_contact(std::move(all));
 }
 
 void SolidModel::add_load(const LoadConfig& load)

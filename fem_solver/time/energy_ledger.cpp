@@ -40,6 +40,8 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
         for (std::size_t k = 0; k < works.size(); ++k) energies_.work_of_support[k] += works[k];
         energies_.work_supports += std::accumulate(works.begin(), works.end(), 0.0);
     }
+    energies_.contact += work(weighted_.contact, weighted_np1.contact);
+    energies_.friction -= work(weighted_.friction, weighted_np1.friction);
     energies_.damping += work(weighted_.damping, weighted_np1.damping);
 
     const double strain = forces_->strain_energy(motion_np1);
@@ -53,8 +55,9 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     energies_.kinetic = forces_->kinetic_energy(motion_np1);
     energies_.strain = strain;
     energies_.potential = forces_->potential_energy(motion_np1);
-    energies_.balance_error = energies_.total() - initial_total_ + energies_.damping + energies_.numerical_dissipation -
-                              energies_.work_interface - energies_.work_supports - energies_.work_loads;
+    energies_.balance_error = energies_.total() - initial_total_ + energies_.damping + energies_.friction +
+                              energies_.numerical_dissipation - energies_.contact - energies_.work_interface -
+                              energies_.work_supports - energies_.work_loads;
     weighted_ = weighted_np1;
     reaction_ = reaction_np1;
 }

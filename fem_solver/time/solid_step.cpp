@@ -69,6 +69,7 @@ void SolidStep::advance_part(Motion& motion, double dt, const std::function<void
         set_load(static_cast<double>(done + stride) / most_parts);
         if (attempt(motion, length)) {
             ledger_.account(motion_n, motion, forces_n_, forces_np1_, length);
+            model_.contact().accept(motion, time_ + length);
             std::swap(forces_n_, forces_np1_);
             time_ += length;
             ++sub_steps_;
@@ -96,11 +97,22 @@ bool SolidStep::attempt(Motion& motion, double dt)
     return iterate(motion, Predictor::still, dt);
 }
 
-/// Newton's iteration from a prediction; false when it does not converge.
+/// From a prediction to equilibrium with what the body touches; false when it does not converge.
 bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
 {
+    model_.contact().restore();
+    predict(motion, predictor, dt);
+    do {
+        if (!solve(motion, dt)) return false;
+    } while (model_.contact().augment(motion, time_ + dt));
+    return true;
+}
+
+/// Newton's iteration with the contact's present multipliers.
+bool SolidStep::solve(Motion& motion, double dt)
+{
     newton_.start();
-    if (!predict(motion, predictor, dt)) return false;
+    if (!evaluate(motion, dt)) return false;
     for (;;) {
         const Eigen::VectorXd inertia = model_.inertia(motion.acceleration);
         Eigen::VectorXd r = residual(inertia);
@@ -114,13 +126,18 @@ bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
     }
 }
 
-bool SolidStep::predict(Motion& motion, Predictor predictor, double dt)
+void SolidStep::predict(Motion& motion, Predictor predictor, double dt)
 {
     if (predictor == Predictor::still)
         hht_.predict_still(motion, dt);
     else
         hht_.predict(motion, dt);
     supports_.set_motion(time_ + dt, motion);
+}
+
+/// Forces at the end of the step; false where an element is turned inside out.
+bool SolidStep::evaluate(const Motion& motion, double dt)
+{
     const Inversion inversion = model_.evaluate(motion, 1, forces_np1_, time_ + dt);
     return !inversion.happened() || fails({Failure::Kind::inversion, inversion});
 }
@@ -136,7 +153,7 @@ double SolidStep::force_scale(const Eigen::VectorXd& inertia) const
 {
     const auto largest = [](const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff(); };
     return std::max({largest(forces_np1_.internal), largest(forces_np1_.interface), largest(forces_np1_.loads),
-                     largest(forces_np1_.gravity), largest(inertia)});
+                     largest(forces_np1_.gravity), largest(forces_np1_.contact), largest(inertia)});
 }
 
 void SolidStep::factorise(const Motion& motion, double dt)
@@ -154,13 +171,12 @@ bool SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double 
     ++iterations_;
     double scale = 1;
     hht_.correct(motion, correction, scale, dt);
-    for (int halvings = 0;; ++halvings) {
-        const Inversion inversion = model_.evaluate(motion, 1, forces_np1_, time_ + dt);
-        if (!inversion.happened()) return true;
-        if (halvings == max_halvings || !correction.allFinite()) return fails({Failure::Kind::inversion, inversion});
+    for (int halvings = 0; !evaluate(motion, dt); ++halvings) {
+        if (halvings == max_halvings || !correction.allFinite()) return false;
         scale *= 0.5;
         hht_.correct(motion, correction, -scale, dt);
     }
+    return true;
 }
 
 std::string SolidStep::failure_text(const Motion& motion, double dt) const

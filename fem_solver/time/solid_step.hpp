@@ -56,7 +56,9 @@ private:
     void advance_part(Motion& motion, double dt, const std::function<void(double)>& set_load);
     bool attempt(Motion& motion, double dt);
     bool iterate(Motion& motion, Predictor predictor, double dt);
-    bool predict(Motion& motion, Predictor predictor, double dt);
+    bool solve(Motion& motion, double dt);
+    bool evaluate(const Motion& motion, double dt);
+    void predict(Motion& motion, Predictor predictor, double dt);
     Eigen::VectorXd residual(const Eigen::VectorXd& inertia) const;
     double force_scale(const Eigen::VectorXd& inertia) const;
     void factorise(const Motion& motion, double dt);

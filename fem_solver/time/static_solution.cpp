@@ -63,9 +63,20 @@ void StaticSolution::raise(Motion& motion, int step, int load_steps)
     }
 }
 
-/// Full Newton at one load factor; false, with the failure noted, when it leads nowhere. The first correction takes
-/// moved supports to their place and the body along.
+/// Equilibrium at one load factor, with what the body touches; false, with the failure noted, when there is none.
 bool StaticSolution::equilibrate(Motion& motion, double factor)
+{
+    model_.contact().restore();
+    do {
+        if (!solve(motion, factor)) return false;
+    } while (model_.contact().augment(motion, time(factor)));
+    model_.contact().accept(motion, time(factor));
+    return true;
+}
+
+/// Full Newton; false, with the failure noted, when it leads nowhere. The first correction takes moved supports to their
+/// place and the body along.
+bool StaticSolution::solve(Motion& motion, double factor)
 {
     newton_.start();
     if (const auto inversion = model_.evaluate(motion, factor, forces_now_, time(factor)); inversion.happened())

@@ -45,6 +45,7 @@ private:
     void raise(Motion& motion, int step, int load_steps);
     double time(double factor) const { return time_ == LoadTime::factor ? factor : 0; }
     bool equilibrate(Motion& motion, double factor);
+    bool solve(Motion& motion, double factor);
     bool factorise(const Matrix& matrix);
     bool apply(Motion& motion, const Eigen::VectorXd& correction, double factor);
     bool easy() const { return std::ssize(newton_.residuals()) <= easy_iterations; }

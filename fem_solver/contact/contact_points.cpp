@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/contact/contact_points.hpp"
+
+#include "fem_solver/assembly/face_integrals.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace fem {
+namespace {
+
+/// Calls `action(values, area)` at the integration points of a face.
+template<class FaceShape, class Action>
+void integrate(const Mesh& mesh, const std::vector<int>& nodes, const Eigen::VectorXd& displacement, Action&& action)
+{
+    constexpr int D = FaceIntegrals<FaceShape>::D;
+    const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), displacement);
+    for (const auto& point : face_points<FaceShape>()) {
+        const Eigen::Matrix<double, D, D - 1> along = x * FaceShape::gradients(point.xi).transpose();
+        action(FaceShape::values(point.xi), point.weight * face_normal(along).norm());
+    }
+}
+
+double length_of(double area, int dimension) { return dimension == 2 ? area : std::sqrt(area); }
+
+template<class FaceShape>
+std::vector<ContactPoint> integration_points_of(const Mesh& mesh, const std::vector<MeshFace>& faces)
+{
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(std::ssize(mesh.coordinates));
+    const std::vector<double> areas = face_areas(mesh, faces, still);
+    std::vector<ContactPoint> points;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const std::vector<int> nodes = mesh.face_nodes(faces[f]);
+        integrate<FaceShape>(mesh, nodes, still, [&](const auto& values, double area) {
+            points.push_back({nodes,
+                              {values.begin(), values.end()},
+                              area,
+                              length_of(areas[f], mesh.dimension),
+                              {static_cast<int>(f)}});
+        });
+    }
+    return points;
+}
+
+template<class FaceShape>
+std::vector<ContactPoint> nodal_points_of(const Mesh& mesh, const std::vector<MeshFace>& faces)
+{
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(std::ssize(mesh.coordinates));
+    const std::vector<double> areas = face_areas(mesh, faces, still);
+    std::map<int, ContactPoint> of_node;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const std::vector<int> nodes = mesh.face_nodes(faces[f]);
+        integrate<FaceShape>(mesh, nodes, still, [&](const auto& values, double area) {
+            for (std::size_t a = 0; a < nodes.size(); ++a) of_node[nodes[a]].area += values[static_cast<int>(a)] * area;
+        });
+        for (const int node : nodes) {
+            ContactPoint& point = of_node[node];
+            point.faces.push_back(static_cast<int>(f));
+            point.size = std::max(point.size, length_of(areas[f], mesh.dimension));
+        }
+    }
+    std::vector<ContactPoint> points;
+    for (auto& [node, point] : of_node) {
+        if (point.area < 1e-6 * std::pow(point.size, mesh.dimension - 1)) continue;
+        point.nodes = {node};
+        point.values = {1.0};
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+} // namespace
+
+std::vector<ContactPoint> contact_points(const Mesh& mesh, const std::vector<MeshFace>& faces)
+{
+    return with_shape(mesh.type, [&](auto shape) {
+        using FaceShape = typename decltype(shape)::Face;
+        if constexpr (std::is_same_v<FaceShape, Quad8>)
+            return integration_points_of<FaceShape>(mesh, faces);
+        else
+            return nodal_points_of<FaceShape>(mesh, faces);
+    });
+}
+
+std::vector<double> face_areas(const Mesh& mesh, const std::vector<MeshFace>& faces,
+                               const Eigen::VectorXd& displacement)
+{
+    std::vector<double> areas;
+    with_shape(mesh.type, [&](auto shape) {
+        for (const MeshFace& face : faces) {
+            areas.push_back(0);
+            integrate<typename decltype(shape)::Face>(mesh, mesh.face_nodes(face), displacement,
+                                                      [&](const auto&, double area) { areas.back() += area; });
+        }
+    });
+    return areas;
+}
+
+double surface_stiffness(const std::vector<ContactPoint>& points, const Eigen::VectorXd& diagonal, int dimension)
+{
+    double sum = 0;
+    for (const ContactPoint& point : points) {
+        double largest = 0;
+        for (const int node : point.nodes)
+            largest =
+                std::max(largest, diagonal.segment(static_cast<Eigen::Index>(node) * dimension, dimension).maxCoeff());
+        sum += largest / point.area;
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+} // namespace fem
