@@ -27,7 +27,7 @@ foreach(case stretching_patch standing_wave hydrostatic_tank dam_break taylor_gr
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
 # The solid alone against exact answers, each run short enough as it stands.
-foreach(case elastica rubber_bar thick_cylinder)
+foreach(case elastica rubber_bar thick_cylinder cook turek_hron)
     rivage_coupled_test(solid_${case} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --keep-page --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
