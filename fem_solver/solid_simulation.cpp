@@ -5,6 +5,7 @@
 #include "fem_solver/data_flow.hpp"
 #include "fem_solver/material/stability.hpp"
 #include "fem_solver/output/state_hash.hpp"
+#include "fem_solver/setup/formulation.hpp"
 #include "fem_solver/time/static_solution.hpp"
 
 #include <cmath>
@@ -47,6 +48,8 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
 {
     step_.report_to([&](const std::string& line) { session_.log().warn(line); });
     report_stability();
+    const std::string locking = locking_warning(model_.mesh().type, config);
+    if (!locking.empty()) session_.log().warn("elements: " + locking);
     base::require_input(session.comm().size() == 1, "the solid runs on one rank, not on ", session.comm().size(),
                         ": start it with -n 1");
     if (session.coupled()) {

@@ -33,13 +33,15 @@ base::Table<MeshConfig> mesh_table()
                      "into 2 triangles or 6 tetrahedra",
               .choices = {"tri3", "tri6", "quad4", "quad8", "quad9", "tet4", "tet10", "hexa8", "hexa20", "hexa27"}})
         .key("integration", &MeshConfig::integration,
-             {.doc = "of quad8 and hexa20: reduced has 2, full 3 points a direction", .choices = {"reduced", "full"}})
+             {.doc = "of quad8 and hexa20: reduced has 2, full 3 points a direction; full is stiffer, there to compare",
+              .choices = {"reduced", "full"}})
         .key(
             "formulation", &MeshConfig::formulation,
             {.doc =
                  "enhanced: quad4 and hexa8 with modes against locking; mixed: with a pressure in each element, linear "
                  "in quad9 and hexa27, constant in quad4, hexa8, tri6 and tet10, for nu near 0.5; standard: "
-                 "displacements alone; automatic: enhanced for quad4 and hexa8, mixed for quad9 and hexa27",
+                 "displacements alone, which lets quad4 and hexa8 lock; automatic: enhanced for quad4 and hexa8, mixed "
+                 "for quad9 and hexa27",
              .choices = {"automatic", "enhanced", "mixed", "standard"}});
 }
 

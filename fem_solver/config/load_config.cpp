@@ -8,6 +8,8 @@ base::Table<SupportConfig> support_table()
     return base::Table<SupportConfig>("displacements held on a group of nodes, at zero or on a path")
         .key("group", &SupportConfig::group, {.doc = "of the mesh", .required = true})
         .key("fix", &SupportConfig::fix, {.doc = "components held at zero", .choices = {"x", "y", "z"}})
+        .key("symmetry", &SupportConfig::symmetry,
+             {.doc = "the group is a plane of symmetry, made of faces, across x, y or z: its normal component is held"})
         .key("ux", &SupportConfig::ux,
              {.unit = "m",
               .doc = "displacement along x, a formula of the time t [s] and the reference position x, y, z [m]; "

@@ -13,6 +13,7 @@ namespace fem {
 struct SupportConfig {
     std::string group;
     std::vector<std::string> fix;
+    bool symmetry = false;
     base::Formula ux, uy, uz;
     double derivative_step = 1e-4;
 };

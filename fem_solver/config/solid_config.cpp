@@ -134,8 +134,8 @@ void check_support(const SupportConfig& support, const base::ConfigReader& reade
                    int dimension)
 {
     const bool moved = !support.ux.text.empty() || !support.uy.text.empty() || !support.uz.text.empty();
-    base::require_input(moved || !support.fix.empty(), reader.where(path), ": a support needs fix = [\"x\", ...] or ",
-                        "a displacement ux, uy");
+    base::require_input(moved || support.symmetry || !support.fix.empty(), reader.where(path),
+                        ": a support needs fix = [\"x\", ...], symmetry = true or a displacement ux, uy");
     base::require_input(dimension == 3 || support.uz.text.empty(), support.uz.where, ": uz in a model of dimension 2");
     const auto fixed = [&](const char* axis) { return std::ranges::count(support.fix, axis) > 0; };
     base::require_input(!(fixed("x") && !support.ux.text.empty()) && !(fixed("y") && !support.uy.text.empty()) &&

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace fem {
 
@@ -30,6 +31,25 @@ void Supports::fix(const std::string& group, const std::vector<std::string>& com
 {
     base::require_input(!components.empty(), "support of group '", group, "': fix is empty; give e.g. [\"x\", \"y\"]");
     for (const std::string& component : components) hold(group, component);
+}
+
+void Supports::fix_normal(const std::string& group)
+{
+    const int d = mesh_->dimension;
+    Eigen::VectorXd low = Eigen::VectorXd::Constant(d, std::numeric_limits<double>::max()), high = -low;
+    for (const MeshFace& face : mesh_->faces(group))
+        for (const int node : mesh_->face_nodes(face)) {
+            const Eigen::Map<const Eigen::VectorXd> x(mesh_->node(node), d);
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+    Eigen::Index normal = 0;
+    const Eigen::VectorXd extent = high - low;
+    const bool flat = extent.minCoeff(&normal) <= 1e-9 * extent.maxCoeff();
+    base::require_input(flat, "support of group '", group, "': a plane of symmetry lies across x, y or z, but this ",
+                        "group extends along all of them, over ", extent[normal], " m or more. Turn the mesh, or fix ",
+                        "components");
+    hold(group, std::string(1, "xyz"[normal]));
 }
 
 void Supports::prescribe(const std::string& group, const std::string& component, const Path& path)

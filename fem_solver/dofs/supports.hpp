@@ -24,6 +24,10 @@ public:
     /// \throws base::Error bad_input for an unknown group or component.
     void fix(const std::string& group, const std::vector<std::string>& components);
 
+    /// Holds the normal component of a group of faces that lies in a plane across x, y or z: a plane of symmetry.
+    /// \throws base::Error bad_input for an unknown group of faces, or one that lies in no such plane.
+    void fix_normal(const std::string& group);
+
     /// Displacement along one axis of the node with a reference position, over time [m].
     using Path = std::function<base::TimeFunction(const double* reference)>;
     /// Moves a component of a node group on a path. \throws as fix.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fem_solver/output/field_file.hpp"
 
+#include "fem_solver/output/xdmf_order.hpp"
+
 #include <array>
 
 namespace fem {
@@ -9,17 +11,6 @@ namespace {
 constexpr std::array<const char*, 10> xdmf_names{"triangle",        "triangle_6",   "quadrilateral",  "quadrilateral_8",
                                                  "quadrilateral_9", "tetrahedron",  "tetrahedron_10", "hexahedron",
                                                  "hexahedron_20",   "hexahedron_27"}; // in the order of ElementType
-
-/// Where XDMF's node `a` of an element stands in ours: it lists the edges of the upper face before the upright ones and
-/// the faces in the order left, right, front, back (by y), lower, upper.
-std::size_t own_place(ElementType type, std::size_t a)
-{
-    constexpr std::array<std::size_t, 6> faces{25, 23, 22, 24, 20, 21};
-    if (type != ElementType::hexa20 && type != ElementType::hexa27) return a;
-    if (a >= 20 && a < 26) return faces[a - 20];
-    if (a < 12 || a == 26) return a;
-    return a < 16 ? a + 4 : a - 4;
-}
 
 } // namespace
 

@@ -3,19 +3,13 @@
 
 #include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/setup/formulation.hpp"
 #include "fem_solver/setup/make_contact.hpp"
 #include "fem_solver/setup/make_load.hpp"
 #include "fem_solver/setup/make_mesh.hpp"
 
 namespace fem {
 namespace {
-
-Formulation formulation(const std::string& name)
-{
-    if (name == "enhanced") return Formulation::enhanced;
-    if (name == "mixed") return Formulation::mixed;
-    return name == "standard" ? Formulation::standard : Formulation::automatic;
-}
 
 Marlow marlow(const std::string& path, double poisson)
 {
@@ -75,7 +69,7 @@ Material make_material(const MaterialConfig& config)
 SolidModel::SolidModel(const SolidConfig& config)
     : mesh_(make_mesh(config.mesh, config.model.dimension)),
       supports_(mesh_),
-      forces_(mesh_, sheet_material(config), {config.mesh.integration == "full", formulation(config.mesh.formulation)})
+      forces_(mesh_, sheet_material(config), body_settings(config.mesh))
 {
     for (const SupportConfig& support : config.supports) add_support(support);
     for (const DriveConfig& drive : config.drives) add_drive(drive);
@@ -88,6 +82,7 @@ SolidModel::SolidModel(const SolidConfig& config)
 void SolidModel::add_support(const SupportConfig& support)
 {
     if (!support.fix.empty()) supports_.fix(support.group, support.fix);
+    if (support.symmetry) supports_.fix_normal(support.group);
     const std::pair<const char*, const base::Formula*> paths[] = {
         {"x", &support.ux}, {"y", &support.uy}, {"z", &support.uz}};
     for (const auto& [component, formula] : paths)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/setup/formulation.hpp"
 #include "fem_solver/setup/solid_model.hpp"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,38 @@ pressure = "2 + 3*y"
     Forces forces = Forces::zero(model.forces().dofs());
     model.forces().evaluate(Motion::at_rest(model.forces().dofs()), 1, forces);
     EXPECT_NEAR(forces.each_load[1].sum(), 2 * 2 + 3 * 2, 1e-12);
+}
+
+TEST(SolidConfig, HoldsPlanesOfSymmetry)
+{
+    const std::string symmetry = replaced("fix = [\"x\", \"y\"]", "symmetry = true");
+    const SolidModel model(read(symmetry)); // bottom, across y
+    for (const int node : model.mesh().group_nodes("bottom")) {
+        EXPECT_FALSE(model.supports().fixed(2 * node));
+        EXPECT_TRUE(model.supports().fixed(2 * node + 1));
+    }
+    std::string around = symmetry;
+    expect_error(around.replace(around.find("\"bottom\""), 8, "\"all\""), "extends along all of them, over 1 m");
+    expect_error(replaced("fix = [\"x\", \"y\"]", "symmetry = false"), "symmetry = true");
+}
+
+TEST(SolidConfig, WarnsOfLocking)
+{
+    const auto warning = [](ElementType type, const std::string& mesh, double nu) {
+        SolidConfig config = read(replaced("element = \"quad4\"", "element = \"quad4\"\n" + mesh));
+        config.material.poisson = nu;
+        return locking_warning(type, config);
+    };
+    EXPECT_EQ(warning(ElementType::quad4, "", 0.3), "");
+    EXPECT_EQ(warning(ElementType::quad8, "", 0.4), "");
+    EXPECT_EQ(warning(ElementType::tri6, "", 0.4), "");
+    EXPECT_EQ(warning(ElementType::quad9, "formulation = \"mixed\"", 0.4999), "");
+    EXPECT_NE(warning(ElementType::quad4, "formulation = \"standard\"", 0.3).find("\"automatic\""), std::string::npos);
+    EXPECT_NE(warning(ElementType::quad8, "integration = \"full\"", 0.3).find("\"reduced\""), std::string::npos);
+    EXPECT_NE(warning(ElementType::tet4, "", 0.3).find("ten nodes"), std::string::npos);
+    EXPECT_NE(warning(ElementType::quad9, "formulation = \"standard\"", 0.4999).find("\"mixed\""), std::string::npos);
+    EXPECT_NE(warning(ElementType::quad8, "", 0.499).find("quad9"), std::string::npos);
+    EXPECT_NE(warning(ElementType::tet10, "", 0.4999).find("nu = 0.4999"), std::string::npos);
 }
 
 TEST(SolidConfig, DescribesItself)
