@@ -93,17 +93,15 @@ void SolidSimulation::run_static()
 {
     StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton));
     solution.report_to([&](const std::string& line) { session_.log().warn(line); });
-    SolidEnergies energies;
     solution.solve(motion_, config_.analysis.load_steps, [&](double factor) {
-        energies.strain = model_.forces().strain_energy(motion_);
-        energies.potential = model_.forces().potential_energy(motion_);
         now_ = {factor, now_.step + 1, 0, factor == 1};
         std::string residuals;
         for (const double residual : solution.residuals()) residuals += base::text(" ", residual);
         session_.log().info(base::text("load factor ", factor, ": residuals", residuals, " N"));
-        output_->write(now_, motion_, energies, solution.reaction());
+        output_->write(now_, motion_, solution.energies(), solution.reaction());
     });
-    finish(base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", energies.strain));
+    finish(
+        base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", solution.energies().strain));
 }
 
 /// The state that the motion starts from.

@@ -43,12 +43,8 @@ void EnergyTable::write(double time, double dt, const SolidEnergies& e)
                             e.balance_error,
                             e.damping,
                             e.work_correction};
-    const auto append = [&](std::vector<double> works, std::size_t count) {
-        works.resize(count, 0.0); // none yet in a static solution
-        row.insert(row.end(), works.begin(), works.end());
-    };
-    append(e.work_of_load, loads_);
-    append(e.work_of_support, supports_);
+    row.insert(row.end(), e.work_of_load.begin(), e.work_of_load.end());
+    row.insert(row.end(), e.work_of_support.begin(), e.work_of_support.end());
     file_.row(row);
     file_.flush();
 }

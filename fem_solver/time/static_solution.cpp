@@ -28,11 +28,14 @@ StaticSolution::StaticSolution(const Mesh& mesh, const SolidForces& forces, cons
       supports_(supports),
       newton_(newton),
       forces_now_(Forces::zero(forces.dofs())),
-      time_(time)
+      time_(time),
+      works_(forces, supports)
 {}
 
 void StaticSolution::solve(Motion& motion, int load_steps, const Observer& observer)
 {
+    model_.evaluate(motion, 0, forces_now_, time(0));
+    works_.start(motion, forces_now_);
     for (int step = 1; step <= load_steps; ++step) {
         raise(motion, step, load_steps);
         observer(static_cast<double>(step) / load_steps);
@@ -48,6 +51,7 @@ void StaticSolution::raise(Motion& motion, int step, int load_steps)
         const double next = end - reached <= stride * (1 + 1e-9) ? end : reached + stride;
         const Eigen::VectorXd start = motion.displacement;
         if (equilibrate(motion, next)) {
+            works_.account(motion, forces_now_);
             reached = next;
             if (easy()) stride = std::min(2 * stride, whole);
             continue;

@@ -5,6 +5,7 @@
 #include "fem_solver/dofs/supports.hpp"
 #include "fem_solver/solve/linear_solver.hpp"
 #include "fem_solver/time/failure.hpp"
+#include "fem_solver/time/static_works.hpp"
 
 #include <functional>
 #include <string>
@@ -35,6 +36,8 @@ public:
     /// are. \throws base::Error numerical_failure naming the stride, node or element, and position.
     void solve(Motion& motion, int load_steps, const Observer& observer);
 
+    /// Energies now, and the works since the unloaded state.
+    const SolidEnergies& energies() const { return works_.energies(); }
     /// Forces of the supports in equilibrium, zero elsewhere [N] (2D: N/m).
     Eigen::VectorXd reaction() const { return supports_.held_part(forces_now_.unbalanced()); }
     /// Residuals of the last load step's iterations, largest nodal entry [N].
@@ -62,6 +65,7 @@ private:
     LinearSolver solver_;
     Forces forces_now_;
     LoadTime time_;
+    StaticWorks works_;
     Reporter report_ = [](const std::string&) {};
     Failure failure_; // the last one
     /// A stride with no more residuals than this may be followed by one twice as long.

@@ -125,6 +125,24 @@ TEST(GateStatic, AStrideThatIsTooLongIsCut)
         << cuts.front();
 }
 
+/// Works of the load and of gravity are the strain energy, but for an error that falls fourfold with half the stride.
+TEST(GateStatic, WorksAreTheStrainEnergy)
+{
+    Gate gate(ElementType::quad8, rubber(), {}, {2, 20});
+    gate.add_water();
+    gate.forces.set_gravity({0, -9.81});
+    std::vector<double> errors;
+    for (const int load_steps : {8, 16, 32}) {
+        StaticSolution solution(gate.mesh, gate.forces, gate.supports, {1e-11, 25, 0.1});
+        Motion motion = Motion::at_rest(gate.forces.dofs());
+        solution.solve(motion, load_steps, [](double) {});
+        EXPECT_GT(solution.energies().work_loads, 0.5);
+        errors.push_back(std::abs(solution.energies().balance_error));
+    }
+    EXPECT_LT(errors[0], 0.01);
+    for (int i = 0; i < 2; ++i) EXPECT_NEAR(std::log2(errors[i] / errors[i + 1]), 2, 0.2);
+}
+
 /// Equilibrium under gravity and the water as at t = 0, then HHT: nothing moves, although the load's factor is 1 only there.
 TEST(GateStatic, AMotionThatStartsInEquilibriumStaysThere)
 {
