@@ -81,4 +81,4 @@ TEST(ReproducibleSum, GivesBackWhatADoubleHolds)
     }
 }
 
-}  // namespace
+} // namespace
