@@ -13,6 +13,17 @@ namespace fem {
 template<int D> using Tensor = Eigen::Matrix<double, D, D>;
 template<int D> using Tangent = Eigen::Matrix<double, D * D, D * D>;
 
+/// The tangent whose entry dP_ij/dF_kl is component(i, j, k, l).
+template<int D, class Component> Tangent<D> tangent_of(Component component)
+{
+    Tangent<D> a;
+    for (int l = 0; l < D; ++l)
+        for (int k = 0; k < D; ++k)
+            for (int j = 0; j < D; ++j)
+                for (int i = 0; i < D; ++i) a(i + D * j, k + D * l) = component(i, j, k, l);
+    return a;
+}
+
 /// Hooke's law with the small strain eps = sym(F) - I: nothing tells displaced from undisplaced positions.
 ///
 ///     w = lambda/2 (tr eps)^2 + mu eps:eps,   P = lambda tr(eps) I + 2 mu eps
@@ -34,14 +45,9 @@ struct SmallElastic {
     }
     template<int D> Tangent<D> tangent(const Tensor<D>&) const
     {
-        Tangent<D> a;
-        for (int l = 0; l < D; ++l)
-            for (int k = 0; k < D; ++k)
-                for (int j = 0; j < D; ++j)
-                    for (int i = 0; i < D; ++i)
-                        a(i + D * j, k + D * l) =
-                            lame.lambda * (i == j) * (k == l) + lame.mu * ((i == k) * (j == l) + (i == l) * (j == k));
-        return a;
+        return tangent_of<D>([&](int i, int j, int k, int l) {
+            return lame.lambda * (i == j) * (k == l) + lame.mu * ((i == k) * (j == l) + (i == l) * (j == k));
+        });
     }
 
 private:
@@ -72,14 +78,10 @@ struct SaintVenantKirchhoff {
     template<int D> Tangent<D> tangent(const Tensor<D>& f) const
     {
         const Tensor<D> s = second_stress<D>(f), b = f * f.transpose();
-        Tangent<D> a;
-        for (int l = 0; l < D; ++l)
-            for (int k = 0; k < D; ++k)
-                for (int j = 0; j < D; ++j)
-                    for (int i = 0; i < D; ++i)
-                        a(i + D * j, k + D * l) = (i == k) * s(l, j) + lame.lambda * f(i, j) * f(k, l) +
-                                                  lame.mu * (f(i, l) * f(k, j) + b(i, k) * (j == l));
-        return a;
+        return tangent_of<D>([&](int i, int j, int k, int l) {
+            return (i == k) * s(l, j) + lame.lambda * f(i, j) * f(k, l) +
+                   lame.mu * (f(i, l) * f(k, j) + b(i, k) * (j == l));
+        });
     }
 
 private:

@@ -42,15 +42,10 @@ struct NeoHookean {
         const double s = lame.mu / (r * r), q = bulk * (det - 1) * det - s * i1 / 3;
         const double c = bulk * (2 * det - 1) * det + 2 * s * i1 / 9;
         const Tensor<D> h = inverse_transposed<D>(f);
-        Tangent<D> a;
-        for (int l = 0; l < D; ++l)
-            for (int k = 0; k < D; ++k)
-                for (int j = 0; j < D; ++j)
-                    for (int i = 0; i < D; ++i)
-                        a(i + D * j, k + D * l) = s * (i == k) * (j == l) -
-                                                  2 * s / 3 * (f(i, j) * h(k, l) + h(i, j) * f(k, l)) +
-                                                  c * h(i, j) * h(k, l) - q * h(i, l) * h(k, j);
-        return a;
+        return tangent_of<D>([&](int i, int j, int k, int l) {
+            return s * (i == k) * (j == l) - 2 * s / 3 * (f(i, j) * h(k, l) + h(i, j) * f(k, l)) +
+                   c * h(i, j) * h(k, l) - q * h(i, l) * h(k, j);
+        });
     }
 
 private:

@@ -37,14 +37,9 @@ struct NeoHookeanLog {
     {
         const Tensor<D> h = f.inverse().transpose();
         const double q = lame.mu - lame.lambda * std::log(f.determinant());
-        Tangent<D> a;
-        for (int l = 0; l < D; ++l)
-            for (int k = 0; k < D; ++k)
-                for (int j = 0; j < D; ++j)
-                    for (int i = 0; i < D; ++i)
-                        a(i + D * j, k + D * l) =
-                            lame.mu * (i == k) * (j == l) + q * h(i, l) * h(k, j) + lame.lambda * h(i, j) * h(k, l);
-        return a;
+        return tangent_of<D>([&](int i, int j, int k, int l) {
+            return lame.mu * (i == k) * (j == l) + q * h(i, l) * h(k, j) + lame.lambda * h(i, j) * h(k, l);
+        });
     }
 };
 
