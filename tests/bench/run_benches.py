@@ -4,26 +4,41 @@
 usage: run_benches.py [NAME ...] --programs BIN_FOLDER [--json FILE]       (NAME: one of BENCHES; without: all of them)
 """
 import argparse
+import json
 import os
 import shlex
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
 
-# name: commands, each as (ranks, program, arguments); a program of one rank is started without mpirun
+# name: commands, each as (ranks, program); a program of one rank is started without mpirun and uses Google Benchmark
 BENCHES = {
-    "sph": [(1, "bench_sph_evaluation", []), (1, "bench_neighbours", [])],
-    "coupler": [(2, "bench_coupler", []), (4, "bench_coupler", [])],
+    "sph": [(1, "bench_sph_evaluation"), (1, "bench_neighbours")],
+    "coupler": [(2, "bench_coupler"), (4, "bench_coupler")],
 }
+GOOGLES_OWN = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations"}
 
 
-def command_of(ranks: int, program: Path, arguments: list[str]) -> list[str]:
+def command_of(ranks: int, program: Path, results: Path) -> list[str]:
     if ranks == 1:
-        return [str(program), *arguments]
+        return [str(program), f"--benchmark_out={results}", "--benchmark_out_format=json"]
     shared = ["--oversubscribe", "--mca", "mpi_yield_when_idle", "1"] if ranks > (os.cpu_count() or 1) else []
-    return ["mpirun", "--bind-to", "none", *shared, "-n", str(ranks), str(program), *arguments]
+    return ["mpirun", "--bind-to", "none", *shared, "-n", str(ranks), str(program)]
+
+
+def googles_figures(results: Path) -> list[str]:
+    """Every number that Google Benchmark measured, one JSON line each; times in the unit that it names."""
+    figures = []
+    for bench in json.loads(results.read_text(encoding="utf-8"))["benchmarks"]:
+        for metric, value in bench.items():
+            if not isinstance(value, (int, float)) or metric in GOOGLES_OWN:
+                continue
+            name = f"{metric}_{bench['time_unit']}" if metric.endswith("_time") else metric
+            figures.append(json.dumps({"bench": bench["name"], "metric": name, "value": value, "ranks": 1}) + "\n")
+    return figures
 
 
 def run(command: list[str]) -> list[str]:
@@ -51,9 +66,11 @@ def main() -> int:
     if unknown:
         parser.error(f"no bench '{unknown[0]}'; there are {', '.join(BENCHES)}")
     figures = []
-    for name in arguments.names or BENCHES:
-        for ranks, program, options in BENCHES[name]:
-            figures += run(command_of(ranks, arguments.programs / program, options))
+    with tempfile.TemporaryDirectory(prefix="rivage_") as folder:
+        results = Path(folder, "google.json")
+        for ranks, program in (command for name in arguments.names or BENCHES for command in BENCHES[name]):
+            figures += run(command_of(ranks, arguments.programs / program, results))
+            figures += googles_figures(results) if ranks == 1 else []
     if arguments.json:
         arguments.json.write_text("".join(figures))
     return 0
