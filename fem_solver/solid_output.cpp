@@ -76,11 +76,8 @@ void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEne
 void SolidOutput::write_contacts(const Instant& now, const Motion& motion)
 {
     if (!contact_table_) return;
-    std::vector<ContactRow> rows;
-    for (const auto& contact : model_.contacts()->all()) {
-        const ContactResultants sum = contact->resultants(motion, now.time);
-        rows.push_back({sum.normal, sum.friction, sum.area, sum.pressure, sum.penetration});
-    }
+    std::vector<ContactResultants> rows;
+    for (const auto& contact : model_.contacts()->all()) rows.push_back(contact->resultants(motion, now.time));
     contact_table_->write(now.time, rows);
 }
 

@@ -201,8 +201,8 @@ coupler::SolidReport SolidSimulation::report() const
     report.kinetic = e.kinetic;
     report.strain = e.strain;
     report.potential = e.potential;
-    report.external_work = e.work_supports + e.work_loads;
-    report.dissipated = e.damping + e.numerical_dissipation;
+    report.external_work = e.work_supports + e.work_loads + e.contact;
+    report.dissipated = e.damping + e.numerical_dissipation + e.friction;
     return report;
 }
 

@@ -70,6 +70,7 @@ void SolidForces::add_load(std::unique_ptr<Load> load, std::string name, TimeFac
 void SolidForces::set_window(double share, const Forces& start)
 {
     window_share_ = share;
+    if (share == 1) return;
     interface_start_ = (1 - share) * start.interface;
     correction_start_ = (1 - share) * start.correction;
 }

@@ -13,12 +13,13 @@ GroundContact::GroundContact(const Mesh& mesh, const MatrixPattern& pattern, std
       settings_(std::move(settings)),
       faces_(mesh.faces(settings_.group)),
       points_(contact_points(mesh, faces_)),
-      accepted_(points_.size())
+      reference_areas_(face_areas(mesh, faces_, Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)))),
+      accepted_(points_.size()),
+      now_(points_.size())
 {
     const Motion rest = Motion::at_rest(std::ssize(mesh.coordinates));
     const Eigen::Vector3d shift = moved_ground(0);
     for (std::size_t k = 0; k < points_.size(); ++k) accepted_[k].place = position(points_[k], rest) - shift;
-    now_ = accepted_;
 }
 
 double GroundContact::stiffness() const
@@ -30,7 +31,7 @@ double GroundContact::stiffness() const
 
 void GroundContact::restore()
 {
-    now_ = accepted_;
+    for (std::size_t k = 0; k < points_.size(); ++k) now_[k] = accepted_[k].multipliers;
     augmentations_ = 0;
 }
 
@@ -69,8 +70,8 @@ bool GroundContact::augment(const Motion& motion, double time)
         const double off = miss(k, next[k]);
         if (off > worst) where = k;
         worst = std::max(worst, off);
-        now_[k].multipliers = next[k];
     }
+    now_ = std::move(next);
     if (worst <= 1) return false;
     require_patience(motion, time, where, worst);
     return true;
@@ -89,8 +90,8 @@ void GroundContact::accept(const Motion& motion, double time)
         const Eigen::Vector3d way = next[k].place - accepted_[k].place;
         if (!traction.sticks) next[k].slip += (way - ground.normal * ground.normal.dot(way)).norm();
     });
-    now_ = accepted_ = std::move(next);
-    augmentations_ = 0;
+    accepted_ = std::move(next);
+    restore();
 }
 
 ContactResultants GroundContact::resultants(const Motion& motion, double time) const
@@ -151,13 +152,12 @@ Eigen::Vector3d GroundContact::moved_ground(double time) const
 std::vector<double> GroundContact::stretches(const Motion& motion) const
 {
     const std::vector<double> present = face_areas(*mesh_, faces_, motion.displacement);
-    const std::vector<double> reference = face_areas(*mesh_, faces_, 0 * motion.displacement);
     std::vector<double> result;
     for (const ContactPoint& point : points_) {
         double now = 0, once = 0;
         for (const int face : point.faces) {
             now += present[static_cast<std::size_t>(face)];
-            once += reference[static_cast<std::size_t>(face)];
+            once += reference_areas_[static_cast<std::size_t>(face)];
         }
         result.push_back(now / once);
     }
@@ -172,7 +172,7 @@ template<class Action> void GroundContact::visit(const Motion& motion, double ti
         const Eigen::Vector3d place = position(points_[k], motion) - shift;
         const base::GroundPoint ground = ground_->at(place);
         const ContactTraction traction =
-            contact_traction(ground, now_[k].multipliers, place - accepted_[k].place, settings_.constants);
+            contact_traction(ground, now_[k], place - accepted_[k].place, settings_.constants);
         if (traction.touches) action(k, ground, traction);
     }
 }
@@ -190,10 +190,9 @@ void GroundContact::add(const ContactPoint& point, const Eigen::Vector3d& tracti
 double GroundContact::miss(std::size_t k, const Multipliers& next) const
 {
     const ContactConstants& constants = settings_.constants;
-    const double gap = std::abs(next.pressure - now_[k].multipliers.pressure) / constants.normal_penalty;
+    const double gap = std::abs(next.pressure - now_[k].pressure) / constants.normal_penalty;
     const bool sticks = next.traction.norm() < (1 - 1e-9) * constants.friction * next.pressure;
-    const double slid =
-        sticks ? (next.traction - now_[k].multipliers.traction).norm() / constants.tangential_penalty : 0;
+    const double slid = sticks ? (next.traction - now_[k].traction).norm() / constants.tangential_penalty : 0;
     return std::max(gap, slid) / (settings_.tolerance * points_[k].size);
 }
 

@@ -5,6 +5,7 @@
 #include "fem_solver/assembly/contact_force.hpp"
 #include "fem_solver/contact/contact_law.hpp"
 #include "fem_solver/contact/contact_points.hpp"
+#include "fem_solver/dofs/contact_resultants.hpp"
 
 #include <functional>
 #include <memory>
@@ -18,18 +19,9 @@ struct ContactSettings {
     std::string group; ///< of faces
     ContactConstants constants;
     bool augmented = true;   ///< else penalty alone
-    double tolerance = 1e-3; ///< gap that is left at a point in contact, over the size of its face
+    double tolerance = 1e-4; ///< gap that is left at a point in contact, over the size of its face
     int max_augmentations = 50;
     std::function<Eigen::Vector3d(double time)> ground_motion; ///< displacement of the ground [m]; empty: at rest
-};
-
-/// What a contact does as a whole.
-struct ContactResultants {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< force of the pressures on the body [N] (2D: N/m)
-    Eigen::Vector3d friction = Eigen::Vector3d::Zero(); ///< force of friction on the body
-    double area = 0;                                    ///< reference area in contact [m^2] (2D: m)
-    double pressure = 0;                                ///< largest, per present area [Pa]
-    double penetration = 0;                             ///< deepest [m]
 };
 
 /// Contact of a group of faces with a rigid ground, at contact_points, with tractions per reference area; see
@@ -54,9 +46,10 @@ public:
     void add_fields(const Motion& motion, double time, std::vector<double>& pressure, std::vector<double>& slip) const;
 
 private:
+    /// A point at the end of the last accepted step.
     struct State {
         Multipliers multipliers;
-        Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< over the ground, at the end of the last accepted step
+        Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< over the ground
         double slip = 0;                                 ///< length of the way slipped [m]
     };
 
@@ -74,7 +67,9 @@ private:
     ContactSettings settings_;
     std::vector<MeshFace> faces_;
     std::vector<ContactPoint> points_;
-    std::vector<State> accepted_, now_; ///< at the end of the last accepted step; with the present multipliers
+    std::vector<double> reference_areas_; ///< of the faces [m^2] (2D: m)
+    std::vector<State> accepted_;
+    std::vector<Multipliers> now_;
     int augmentations_ = 0;
 };
 

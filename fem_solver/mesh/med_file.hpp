@@ -27,7 +27,7 @@ struct MedContent {
     std::string mesh;                               ///< its name
     int dimension = 0;                              ///< of space in the file
     std::vector<double> points;                     ///< nodes * dimension, lengths in the file's unit
-    std::vector<int> node_families;                 ///< one for each node, or none at all
+    std::vector<int> node_families;                 ///< one for each node
     std::vector<MedCells> cells;                    ///< every kind that the mesh has
     std::map<int, std::vector<std::string>> groups; ///< groups that a family belongs to
 };

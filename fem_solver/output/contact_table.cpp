@@ -24,10 +24,10 @@ ContactTable::ContactTable(const std::string& folder, int dimension, const std::
     : dimension_(dimension), file_(folder + "/contact.csv", header(dimension, groups))
 {}
 
-void ContactTable::write(double time, const std::vector<ContactRow>& rows)
+void ContactTable::write(double time, const std::vector<ContactResultants>& rows)
 {
     std::vector<double> values{time};
-    for (const ContactRow& row : rows) {
+    for (const ContactResultants& row : rows) {
         values.insert(values.end(), row.normal.data(), row.normal.data() + dimension_);
         values.insert(values.end(), row.friction.data(), row.friction.data() + dimension_);
         values.insert(values.end(), {row.area, row.pressure, row.penetration});

@@ -2,26 +2,18 @@
 #pragma once
 
 #include "coupler_lib/base/csv.hpp"
-
-#include <Eigen/Core>
+#include "fem_solver/dofs/contact_resultants.hpp"
 
 #include <string>
 #include <vector>
 
 namespace fem {
 
-/// What one contact does at one instant: force of the pressures and of friction on the body [N] (2D: N/m), area in contact
-/// [m^2] (2D: m), largest pressure [Pa], deepest penetration [m].
-struct ContactRow {
-    Eigen::Vector3d normal, friction;
-    double area, pressure, penetration;
-};
-
 /// contact.csv: one block of columns for each contact.
 class ContactTable {
 public:
     ContactTable(const std::string& folder, int dimension, const std::vector<std::string>& groups);
-    void write(double time, const std::vector<ContactRow>& rows);
+    void write(double time, const std::vector<ContactResultants>& rows);
 
 private:
     int dimension_;
