@@ -48,6 +48,18 @@ if(MED_INCLUDE_DIR AND MED_LIBRARY)
 endif()
 rivage_require(MED_LIBRARY "libmedc-dev" "The MED library")
 
+# PETSc with MUMPS and hypre, built for real numbers; Debian links it with the same parallel HDF5.
+pkg_check_modules(PETSC QUIET IMPORTED_TARGET GLOBAL PETSc>=3.18)
+rivage_require(PETSC_FOUND "libpetsc-real-dev" "PETSc")
+add_library(rivage_petsc INTERFACE)
+target_link_libraries(rivage_petsc INTERFACE PkgConfig::PETSC MPI::MPI_CXX)
+add_library(rivage::petsc ALIAS rivage_petsc)
+pkg_check_modules(SLEPC QUIET IMPORTED_TARGET GLOBAL SLEPc>=3.18)
+rivage_require(SLEPC_FOUND "slepc-dev" "SLEPc")
+add_library(rivage_slepc INTERFACE)
+target_link_libraries(rivage_slepc INTERFACE PkgConfig::SLEPC rivage_petsc)
+add_library(rivage::slepc ALIAS rivage_slepc)
+
 foreach(entry "Eigen3;libeigen3-dev" "fmt;libfmt-dev" "spdlog;libspdlog-dev" "CLI11;libcli11-dev"
               "tomlplusplus;libtomlplusplus-dev" "muparser;libmuparser-dev")
     list(GET entry 0 name)

@@ -20,16 +20,18 @@ template<int D> double wave_speed(const SolidConfig& config)
 /// Smallest side of the box around the body [m].
 double thickness(const Mesh& mesh)
 {
+    const Box box = bounding_box(mesh);
     double smallest = std::numeric_limits<double>::infinity();
-    for (int d = 0; d < mesh.dimension; ++d) {
-        double low = mesh.node(0)[d], high = low;
-        for (int node = 0; node < mesh.nodes(); ++node) {
-            low = std::min(low, mesh.node(node)[d]);
-            high = std::max(high, mesh.node(node)[d]);
-        }
-        smallest = std::min(smallest, high - low);
-    }
+    for (std::size_t k = 0; k < box.low.size(); ++k) smallest = std::min(smallest, box.high[k] - box.low[k]);
     return smallest;
+}
+
+/// Faces of a group over all ranks.
+int count_faces(const Mesh& mesh, const std::string& group)
+{
+    const auto own = std::ranges::count_if(mesh.faces(group),
+                                           [&](const MeshFace& face) { return face.element < mesh.own_elements(); });
+    return static_cast<int>(mesh.team().sum(std::int64_t{own}));
 }
 
 } // namespace
@@ -40,7 +42,7 @@ coupler::DataFlow data_flow(const SolidConfig& config, const SolidModel& model, 
     flow.dimension = model.mesh().dimension;
     flow.fields = coupler::interface_fields(flow.dimension, session.coupling().interface.load, false);
     for (const auto& group : config.interface.groups)
-        flow.groups.emplace_back(group, static_cast<int>(model.mesh().faces(group).size()));
+        flow.groups.emplace_back(group, count_faces(model.mesh(), group));
     flow.end = config.time.end;
     flow.dt = config.time.dt;
     flow.density = config.material.density;

@@ -42,43 +42,48 @@ SolidOutput::SolidOutput(const SolidConfig& config, coupler::Session& session, c
       probes_(model.mesh(), config.probes),
       row_clock_(table_interval(config, session), Zero::every_step),
       field_clock_(field_interval(config, session), Zero::never),
-      energy_table_(session.own_dir(), model.mesh().dimension, model.forces().load_names(), model.supports().groups()),
-      probe_table_(session.own_dir() + "/probes.csv", with_time(probes_.columns())),
-      reaction_table_(session.own_dir() + "/reactions.csv", with_time(reaction_columns(model))),
-      fields_(session.own_dir(), model.mesh(), session.comm())
+      fields_(session.own_dir(), model.mesh(), model.forces().map(), session.comm())
 {
-    if (!model.contacts()) return;
+    if (session.is_root()) open_tables(session.own_dir());
+}
+
+void SolidOutput::open_tables(const std::string& folder)
+{
+    const int dimension = model_.mesh().dimension;
+    energy_table_.emplace(folder, dimension, model_.forces().load_names(), model_.supports().groups());
+    probe_table_.emplace(folder + "/probes.csv", with_time(probes_.columns()));
+    reaction_table_.emplace(folder + "/reactions.csv", with_time(reaction_columns(model_)));
+    if (!model_.contacts()) return;
     std::vector<std::string> groups;
-    for (const auto& contact : model.contacts()->all()) groups.push_back(contact->group());
-    contact_table_.emplace(session.own_dir(), model.mesh().dimension, groups);
+    for (const auto& contact : model_.contacts()->all()) groups.push_back(contact->group());
+    contact_table_.emplace(folder, dimension, groups);
 }
 
 void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
                         const Eigen::VectorXd& reaction)
 {
-    if (row_clock_.due(now.time) || now.last) {
-        energy_table_.write(now.time, now.dt, energies);
-        std::vector<double> row = probes_.values(motion);
-        row.insert(row.begin(), now.time);
-        probe_table_.row(row);
-        probe_table_.flush();
-        row = reactions(now.time, motion, reaction);
-        row.insert(row.begin(), now.time);
-        reaction_table_.row(row);
-        reaction_table_.flush();
-        write_contacts(now, motion);
-    }
+    if (row_clock_.due(now.time) || now.last) write_rows(now, motion, energies, reaction);
     if (field_clock_.due(now.time) || now.last)
         fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement),
                       contact_fields(now, motion));
 }
 
-void SolidOutput::write_contacts(const Instant& now, const Motion& motion)
+void SolidOutput::write_rows(const Instant& now, const Motion& motion, const SolidEnergies& energies,
+                             const Eigen::VectorXd& reaction)
 {
-    if (!contact_table_) return;
+    const auto add_row = [&](std::optional<base::CsvWriter>& table, std::vector<double> row) {
+        if (!table) return;
+        row.insert(row.begin(), now.time);
+        table->row(row);
+        table->flush();
+    };
+    if (energy_table_) energy_table_->write(now.time, now.dt, energies);
+    add_row(probe_table_, probes_.values(motion));
+    add_row(reaction_table_, reactions(now.time, motion, reaction));
+    if (!model_.contacts()) return;
     std::vector<ContactResultants> rows;
     for (const auto& contact : model_.contacts()->all()) rows.push_back(contact->resultants(motion, now.time));
-    contact_table_->write(now.time, rows);
+    if (contact_table_) contact_table_->write(now.time, rows);
 }
 
 ContactFields SolidOutput::contact_fields(const Instant& now, const Motion& motion) const
@@ -90,6 +95,8 @@ ContactFields SolidOutput::contact_fields(const Instant& now, const Motion& moti
     fields.slip.assign(count, 0.0);
     for (const auto& contact : model_.contacts()->all())
         contact->add_fields(motion, now.time, fields.pressure, fields.slip);
+    fields.pressure.resize(static_cast<std::size_t>(model_.mesh().own_nodes()));
+    fields.slip.resize(fields.pressure.size());
     return fields;
 }
 

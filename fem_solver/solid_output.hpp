@@ -21,6 +21,8 @@ struct Instant {
 
 /// All files that the solid writes over time, each when it is due: energy.csv, probes.csv, reactions.csv,
 /// contact.csv, fields.
+///
+/// Collective over the solid's ranks.
 class SolidOutput {
 public:
     SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model);
@@ -30,15 +32,17 @@ public:
                const Eigen::VectorXd& reaction);
 
 private:
-    void write_contacts(const Instant& now, const Motion& motion);
+    void open_tables(const std::string& folder);
+    void write_rows(const Instant& now, const Motion& motion, const SolidEnergies& energies,
+                    const Eigen::VectorXd& reaction);
     ContactFields contact_fields(const Instant& now, const Motion& motion) const;
     std::vector<double> reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const;
 
     const SolidModel& model_;
     Probes probes_;
     base::OutputClock row_clock_, field_clock_;
-    EnergyTable energy_table_;
-    base::CsvWriter probe_table_, reaction_table_;
+    std::optional<EnergyTable> energy_table_; // tables are rank 0's
+    std::optional<base::CsvWriter> probe_table_, reaction_table_;
     std::optional<ContactTable> contact_table_;
     FieldFile fields_;
 };

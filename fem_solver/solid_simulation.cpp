@@ -6,6 +6,7 @@
 #include "fem_solver/material/stability.hpp"
 #include "fem_solver/output/state_hash.hpp"
 #include "fem_solver/setup/formulation.hpp"
+#include "fem_solver/setup/solver_settings.hpp"
 #include "fem_solver/time/static_solution.hpp"
 
 #include <cmath>
@@ -22,7 +23,12 @@ StepSettings step_settings(const SolidConfig& config)
 {
     const bool still = config.newton.predictor == "still";
     return {newton_settings(config.newton), still ? Predictor::still : Predictor::constant_acceleration,
-            config.time.sub_steps};
+            config.time.sub_steps, solver_settings(config.linear_solver)};
+}
+
+StaticSettings static_settings(const SolidConfig& config, LoadTime time)
+{
+    return {newton_settings(config.newton), solver_settings(config.linear_solver), time};
 }
 
 InterfaceLoadSettings load_settings(const SolidConfig& config, const coupler::CouplingConfig& coupling)
@@ -42,7 +48,7 @@ int acceleration_steps(const coupler::SchemeConfig& scheme)
 SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& session)
     : config_(config),
       session_(session),
-      model_(config),
+      model_(config, Team(session.comm())),
       step_(model_.mesh(), model_.forces(), model_.supports(), Hht(config.time.alpha), step_settings(config)),
       motion_(Motion::at_rest(model_.forces().dofs()))
 {
@@ -50,8 +56,6 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
     report_stability();
     const std::string locking = locking_warning(model_.mesh().type, config);
     if (!locking.empty()) session_.log().warn("elements: " + locking);
-    base::require_input(session.comm().size() == 1, "the solid runs on one rank, not on ", session.comm().size(),
-                        ": start it with -n 1");
     if (session.coupled()) {
         base::require_input(config.analysis.kind == "dynamic", "a coupled solid moves: [analysis] kind = \"dynamic\"");
         boundary_.emplace(model_.mesh(), config.interface.groups);
@@ -73,8 +77,8 @@ void SolidSimulation::report_stability() const
 
 void SolidSimulation::check() const
 {
-    session_.log().info(base::text("the input is in order: ", model_.mesh().elements(), " elements ",
-                                   name_of(model_.mesh().type), ", ", model_.mesh().nodes(), " nodes"));
+    session_.log().info(base::text("the input is in order: ", all_elements(model_.mesh()), " elements ",
+                                   name_of(model_.mesh().type), ", ", all_nodes(model_.mesh()), " nodes"));
     if (session_.coupled()) session_.check_flow(data_flow(config_, model_, session_));
 }
 
@@ -91,7 +95,8 @@ void SolidSimulation::run()
 
 void SolidSimulation::run_static()
 {
-    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton));
+    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(),
+                            static_settings(config_, LoadTime::factor));
     solution.report_to([&](const std::string& line) { session_.log().warn(line); });
     solution.solve(motion_, config_.analysis.load_steps, [&](double factor) {
         now_ = {factor, now_.step + 1, 0, factor == 1};
@@ -119,12 +124,12 @@ void SolidSimulation::prepare()
 /// Brings the body to rest under its own weight and loads.
 void SolidSimulation::settle()
 {
-    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(), newton_settings(config_.newton),
-                            LoadTime::start);
+    StaticSolution solution(model_.mesh(), model_.forces(), model_.supports(),
+                            static_settings(config_, LoadTime::start));
     solution.report_to([&](const std::string& line) { session_.log().warn(line); });
     solution.solve(motion_, config_.analysis.load_steps, [](double) {});
     session_.log().info(base::text("initial equilibrium: largest displacement ",
-                                   motion_.displacement.cwiseAbs().maxCoeff(), " m, after ", solution.iterations(),
+                                   model_.forces().map().largest(motion_.displacement), " m, after ", solution.iterations(),
                                    " iterations"));
 }
 
@@ -216,10 +221,10 @@ void SolidSimulation::finish(base::JsonObject figures)
 {
     const double thousands = step_.steps() / 1000.0;
     figures.set("dimension", model_.mesh().dimension)
-        .set("elements", model_.mesh().elements())
-        .set("nodes", model_.mesh().nodes())
+        .set("elements", all_elements(model_.mesh()))
+        .set("nodes", all_nodes(model_.mesh()))
         .set("steps", now_.step)
-        .set("state_hash", state_hash(motion_));
+        .set("state_hash", state_hash(model_.mesh(), motion_));
     if (step_.steps() > 0)
         figures.set("hht_steps", step_.sub_steps())
             .set("newton_iterations_per_step", static_cast<double>(step_.iterations()) / step_.steps())

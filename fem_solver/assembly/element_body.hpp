@@ -172,7 +172,7 @@ template<class Shape> void ElementBody<Shape>::add_mass(Matrix& matrix) const
 template<class Shape> double ElementBody<Shape>::strain_energy(const Eigen::VectorXd& displacement)
 {
     double energy = 0;
-    for (int e = 0; e < points_.elements(); ++e) {
+    for (int e = 0; e < points_.own_elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         for (const Point& p : points_.of(e)) energy += p.volume * law_->energy(deformation(p, u, e));
@@ -183,7 +183,7 @@ template<class Shape> double ElementBody<Shape>::strain_energy(const Eigen::Vect
 template<class Shape> std::vector<double> ElementBody<Shape>::stress(const Eigen::VectorXd& displacement)
 {
     std::vector<double> result;
-    for (int e = 0; e < points_.elements(); ++e) {
+    for (int e = 0; e < points_.own_elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
         if (enhanced_) relax_modes(e, u);
         Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();

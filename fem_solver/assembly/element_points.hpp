@@ -28,7 +28,10 @@ public:
 
     /// \param rule number or degree of integration_points.
     ElementPoints(const Mesh& mesh, int rule)
-        : connectivity_(mesh.connectivity), coordinates_(mesh.coordinates), rule_(integration_points<Shape>(rule))
+        : connectivity_(mesh.connectivity),
+          coordinates_(mesh.coordinates),
+          own_elements_(mesh.own_elements()),
+          rule_(integration_points<Shape>(rule))
     {
         for (int e = 0; e < elements(); ++e) {
             const Nodal x = positions(e);
@@ -42,6 +45,7 @@ public:
     }
 
     int elements() const { return static_cast<int>(connectivity_.size()) / N; }
+    int own_elements() const { return own_elements_; }
     /// Integration points of each element.
     int count() const { return static_cast<int>(rule_.size()); }
     const std::vector<GaussPoint<D>>& rule() const { return rule_; }
@@ -91,6 +95,7 @@ private:
 
     std::vector<int> connectivity_;
     std::vector<double> coordinates_;
+    int own_elements_;
     std::vector<GaussPoint<D>> rule_;
     std::vector<Point> points_;
 };

@@ -77,7 +77,7 @@ public:
     double strain_energy(const Eigen::VectorXd& displacement) override
     {
         double energy = 0;
-        for (int e = 0; e < points_.elements(); ++e) {
+        for (int e = 0; e < points_.own_elements(); ++e) {
             const Nodal u = points_.gather(displacement, e);
             const Basis theta = dilatation(e, u);
             for (int q = 0; q < points_.count(); ++q) {
@@ -92,7 +92,7 @@ public:
     std::vector<double> stress(const Eigen::VectorXd& displacement) override
     {
         std::vector<double> result;
-        for (int e = 0; e < points_.elements(); ++e) {
+        for (int e = 0; e < points_.own_elements(); ++e) {
             const Nodal u = points_.gather(displacement, e);
             const Basis pressure = bulk_ * dilatation(e, u);
             Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();

@@ -8,12 +8,13 @@
 
 namespace fem {
 
-/// Where a deformation turned an element inside out; `element` is -1 when none is.
+/// Where a deformation turned an element inside out; `element` is -1 when none is here.
 struct Inversion {
     int element = -1;
     double determinant = 1; ///< det F there
+    bool elsewhere = false; ///< on another rank
 
-    bool happened() const { return element >= 0; }
+    bool happened() const { return element >= 0 || elsewhere; }
 };
 
 /// How elements are kept from locking.
@@ -44,9 +45,9 @@ public:
     virtual void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) = 0;
     /// Consistent mass M_ab = integral of rho N_a N_b dV [kg] (2D: kg/m), added to `matrix`.
     virtual void add_mass(Matrix& matrix) const = 0;
-    /// Strain energy, integral of w(F) dV [J] (2D: J/m).
+    /// Strain energy of this rank's own elements, integral of w(F) dV [J] (2D: J/m).
     virtual double strain_energy(const Eigen::VectorXd& displacement) = 0;
-    /// Cauchy stress, mean over each element's integration points [Pa]: 9 numbers per element, row by row.
+    /// Cauchy stress, mean over each element's integration points [Pa]: 9 numbers per own element, row by row.
     virtual std::vector<double> stress(const Eigen::VectorXd& displacement) = 0;
 };
 

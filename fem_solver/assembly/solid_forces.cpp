@@ -24,7 +24,8 @@ Forces Forces::blend(double a, const Forces& other, double b) const
 }
 
 SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings)
-    : pattern_(mesh),
+    : map_(mesh),
+      pattern_(mesh),
       body_(make_solid_body(mesh, pattern_, material, settings)),
       mass_(pattern_.zero()),
       initial_stiffness_(pattern_.zero()),
@@ -34,11 +35,12 @@ SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodyS
     body_->add_mass(mass_);
     sparse_mass_ = mass_.pruned();
     body_->add_stiffness(Eigen::VectorXd::Zero(dofs()), initial_stiffness_);
-    const auto positions = Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))
-                               .reshaped(mesh.dimension, mesh.nodes());
-    const double extent = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).maxCoeff();
-    element_size_ = extent * std::pow(mesh.elements(), -1.0 / mesh.dimension); // about
-    round_off_ = std::numeric_limits<double>::epsilon() * initial_stiffness_.diagonal().maxCoeff();
+    const Box box = bounding_box(mesh);
+    double extent = 0;
+    for (std::size_t k = 0; k < box.low.size(); ++k) extent = std::max(extent, box.high[k] - box.low[k]);
+    const double elements = map_.team().sum(static_cast<double>(mesh.own_elements()));
+    element_size_ = extent * std::pow(elements, -1.0 / mesh.dimension); // about
+    round_off_ = std::numeric_limits<double>::epsilon() * map_.largest(initial_stiffness_.diagonal());
 }
 
 void SolidForces::set_damping(const Damping& damping)
@@ -57,7 +59,7 @@ void SolidForces::set_gravity(const std::vector<double>& acceleration)
 void SolidForces::set_contact(std::unique_ptr<ContactForce> contact)
 {
     contact_ = std::move(contact);
-    round_off_ += std::numeric_limits<double>::epsilon() * contact_->stiffness();
+    round_off_ += std::numeric_limits<double>::epsilon() * map_.team().max(contact_->stiffness());
 }
 
 void SolidForces::add_load(std::unique_ptr<Load> load, std::string name, TimeFactor factor)
@@ -78,9 +80,9 @@ void SolidForces::set_window(double share, const Forces& start)
 Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces, double time) const
 {
     forces.internal.setZero();
-    if (const Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal);
-        inversion.happened())
-        return inversion;
+    Inversion inversion = body_->add_internal_force(motion.displacement, forces.internal);
+    inversion.elsewhere = map_.team().any(inversion.happened());
+    if (inversion.happened()) return inversion;
     if (damped_) forces.damping.noalias() = damping_ * motion.velocity;
     forces.gravity = scale * gravity_;
     forces.loads.setZero();

@@ -4,6 +4,7 @@
 #include "fem_solver/assembly/contact_force.hpp"
 #include "fem_solver/assembly/load.hpp"
 #include "fem_solver/assembly/solid_body.hpp"
+#include "fem_solver/dofs/dof_map.hpp"
 
 #include <functional>
 #include <string>
@@ -41,6 +42,7 @@ struct Damping {
 /// Everything that pulls at the nodes: body, damping, gravity and loads, with mass and tangent. Built once, in setup.
 class SolidForces {
 public:
+    /// Collective over the mesh's ranks, as all that returns energies or says whether something happened.
     SolidForces(const Mesh& mesh, const Material& material, const BodySettings& settings);
     SolidForces(const SolidForces&) = delete;
 
@@ -59,6 +61,7 @@ public:
 
     /// What the body may touch; touches nothing unless set_contact was called.
     ContactForce& contact() const { return *contact_; }
+    const DofMap& map() const { return map_; }
     const MatrixPattern& pattern() const { return pattern_; }
     Eigen::Index dofs() const { return mass_.rows(); }
     const Matrix& mass() const { return mass_; }
@@ -76,22 +79,29 @@ public:
     };
     Matrix tangent(const Motion& motion, const TangentFactors& factors) const;
 
-    double kinetic_energy(const Motion& motion) const { return 0.5 * motion.velocity.dot(inertia(motion.velocity)); }
-    double strain_energy(const Motion& motion) const { return body_->strain_energy(motion.displacement); }
+    double kinetic_energy(const Motion& motion) const
+    {
+        return 0.5 * map_.dot(motion.velocity, inertia(motion.velocity));
+    }
+    double strain_energy(const Motion& motion) const
+    {
+        return map_.team().sum(body_->strain_energy(motion.displacement));
+    }
     /// Potential of gravity, - g . M u; zero in the reference state.
-    double potential_energy(const Motion& motion) const { return -motion.displacement.dot(gravity_); }
+    double potential_energy(const Motion& motion) const { return -map_.dot(motion.displacement, gravity_); }
     /// M times a field.
     Eigen::VectorXd inertia(const Eigen::VectorXd& field) const { return sparse_mass_ * field; }
     /// Round-off level of a nodal force, eps K max(4 h, 2 |u|) with the largest diagonal K, the element size h and the
     /// largest displacement: what a residual cannot fall below [N].
     double round_off(const Motion& motion) const
     {
-        return round_off_ * std::max(4 * element_size_, 2 * motion.displacement.cwiseAbs().maxCoeff());
+        return round_off_ * std::max(4 * element_size_, 2 * map_.largest(motion.displacement));
     }
 
 private:
     double load_factor(std::size_t k, double time) const { return factors_[k] ? factors_[k](time) : 1; }
 
+    DofMap map_;
     MatrixPattern pattern_;
     std::unique_ptr<SolidBody> body_;
     Matrix mass_, sparse_mass_, initial_stiffness_, damping_;

@@ -37,6 +37,13 @@ struct NewtonConfig {
     std::string predictor = "constant_acceleration";
 };
 
+/// [linear_solver]
+struct LinearSolverConfig {
+    std::string method = "automatic";
+    double tolerance = 1e-12;
+    std::string options;
+};
+
 /// [[probes]]
 struct ProbeConfig {
     std::string name;
@@ -54,6 +61,7 @@ base::Table<AnalysisConfig> analysis_table();
 base::Table<TimeConfig> time_table();
 base::Table<InitialConfig> initial_table();
 base::Table<NewtonConfig> newton_table();
+base::Table<LinearSolverConfig> linear_solver_table();
 base::Table<ProbeConfig> probe_table();
 base::Table<OutputConfig> output_table();
 

@@ -183,6 +183,7 @@ SolidConfig read_solid_config(base::ConfigReader& reader)
     config.time = reader.table("time", time_table());
     config.initial = reader.table("initial", initial_table());
     config.newton = reader.table("newton", newton_table());
+    config.linear_solver = reader.table("linear_solver", linear_solver_table());
     config.probes = reader.tables("probes", probe_table());
     config.output = reader.table("output", output_table());
     if (reader.describing()) return config;

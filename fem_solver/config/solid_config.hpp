@@ -25,6 +25,7 @@ struct SolidConfig {
     TimeConfig time;
     InitialConfig initial;
     NewtonConfig newton;
+    LinearSolverConfig linear_solver;
     std::vector<ProbeConfig> probes;
     OutputConfig output;
 };

@@ -36,7 +36,8 @@ std::vector<ContactPoint> integration_points_of(const Mesh& mesh, const std::vec
                               {values.begin(), values.end()},
                               area,
                               length_of(areas[f], mesh.dimension),
-                              {static_cast<int>(f)}});
+                              {static_cast<int>(f)},
+                              faces[f].element < mesh.own_elements()});
         });
     }
     return points;
@@ -64,6 +65,7 @@ std::vector<ContactPoint> nodal_points_of(const Mesh& mesh, const std::vector<Me
         if (point.area < 1e-6 * std::pow(point.size, mesh.dimension - 1)) continue;
         point.nodes = {node};
         point.values = {1.0};
+        point.own = node < mesh.own_nodes();
         points.push_back(std::move(point));
     }
     return points;
@@ -96,17 +98,20 @@ std::vector<double> face_areas(const Mesh& mesh, const std::vector<MeshFace>& fa
     return areas;
 }
 
-double surface_stiffness(const std::vector<ContactPoint>& points, const Eigen::VectorXd& diagonal, int dimension)
+double surface_stiffness(const std::vector<ContactPoint>& points, const Eigen::VectorXd& diagonal, const Mesh& mesh)
 {
-    double sum = 0;
+    const int dimension = mesh.dimension;
+    double sum = 0, count = 0;
     for (const ContactPoint& point : points) {
+        if (!point.own) continue;
         double largest = 0;
         for (const int node : point.nodes)
             largest =
                 std::max(largest, diagonal.segment(static_cast<Eigen::Index>(node) * dimension, dimension).maxCoeff());
         sum += largest / point.area;
+        ++count;
     }
-    return sum / static_cast<double>(points.size());
+    return mesh.team().sum(sum) / mesh.team().sum(count);
 }
 
 } // namespace fem

@@ -16,6 +16,7 @@ struct ContactPoint {
     double area = 0;        ///< its part of the reference surface [m^2] (2D: m)
     double size = 0;        ///< of the faces around it [m]
     std::vector<int> faces; ///< the faces it belongs to, in the order given
+    bool own = true;        ///< this rank's; others lie in its halo, with part of their area
 };
 
 /// Points of a group of faces: the nodes, each with the area A_a = sum of the integrals of N_a over its faces, which gives
@@ -29,7 +30,8 @@ std::vector<double> face_areas(const Mesh& mesh, const std::vector<MeshFace>& fa
                                const Eigen::VectorXd& displacement);
 
 /// Stiffness of a surface per area [Pa/m]: the mean over its points of the largest diagonal entry of the nodes' stiffness over
-/// the point's area; the scale of a good penalty. \param diagonal of the stiffness matrix [N/m] (2D: N/m^2).
-double surface_stiffness(const std::vector<ContactPoint>& points, const Eigen::VectorXd& diagonal, int dimension);
+/// the point's area; the scale of a good penalty. Collective. \param diagonal of the stiffness matrix, right in the halo as
+/// well [N/m] (2D: N/m^2).
+double surface_stiffness(const std::vector<ContactPoint>& points, const Eigen::VectorXd& diagonal, const Mesh& mesh);
 
 } // namespace fem

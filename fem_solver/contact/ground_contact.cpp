@@ -25,7 +25,8 @@ GroundContact::GroundContact(const Mesh& mesh, const MatrixPattern& pattern, std
 double GroundContact::stiffness() const
 {
     double largest = 0;
-    for (const ContactPoint& point : points_) largest = std::max(largest, point.area);
+    for (const ContactPoint& point : points_)
+        if (point.own) largest = std::max(largest, point.area);
     return largest * std::max(settings_.constants.normal_penalty, settings_.constants.tangential_penalty);
 }
 
@@ -72,7 +73,7 @@ bool GroundContact::augment(const Motion& motion, double time)
         worst = std::max(worst, off);
     }
     now_ = std::move(next);
-    if (worst <= 1) return false;
+    if (!mesh_->team().any(worst > 1)) return false;
     require_patience(motion, time, where, worst);
     return true;
 }
@@ -99,6 +100,7 @@ ContactResultants GroundContact::resultants(const Motion& motion, double time) c
     ContactResultants sum;
     const std::vector<double> stretch = stretches(motion);
     visit(motion, time, [&](std::size_t k, const base::GroundPoint& ground, const ContactTraction& traction) {
+        if (!points_[k].own) return;
         const double area = points_[k].area;
         sum.normal += area * traction.pressure * ground.normal;
         sum.friction += area * traction.friction;
@@ -106,6 +108,12 @@ ContactResultants GroundContact::resultants(const Motion& motion, double time) c
         sum.pressure = std::max(sum.pressure, traction.pressure / stretch[k]);
         sum.penetration = std::max(sum.penetration, -ground.gap);
     });
+    const Team& team = mesh_->team();
+    team.sum(sum.normal.data(), 3);
+    team.sum(sum.friction.data(), 3);
+    sum.area = team.sum(sum.area);
+    sum.pressure = team.max(sum.pressure);
+    sum.penetration = team.max(sum.penetration);
     return sum;
 }
 
@@ -199,14 +207,18 @@ double GroundContact::miss(std::size_t k, const Multipliers& next) const
 void GroundContact::require_patience(const Motion& motion, double time, std::size_t where, double worst)
 {
     if (++augmentations_ <= settings_.max_augmentations) return;
-    const Eigen::Vector3d x = position(points_[where], motion);
-    throw base::Error(
-        base::ExitCode::numerical_failure,
-        base::text("the contact of the group '", settings_.group, "' did not settle in ", settings_.max_augmentations,
-                   " augmentations at t = ", time, " s: ", worst * settings_.tolerance * points_[where].size,
-                   " m are left, ", worst, " times the tolerated, at node ", points_[where].nodes[0], ", position (",
-                   x[0], ", ", x[1], ", ", x[2], ") m. Try a larger penalty_factor, a smaller step, a finer mesh, or ",
-                   "more max_augmentations"));
+    std::string left;
+    if (worst > 1) {
+        const Eigen::Vector3d x = position(points_[where], motion);
+        left = base::text(worst * settings_.tolerance * points_[where].size, " m are left, ", worst,
+                          " times the tolerated, at node ", mesh_->node_id(points_[where].nodes[0]), ", position (",
+                          x[0], ", ", x[1], ", ", x[2], ") m");
+    }
+    throw base::Error(base::ExitCode::numerical_failure,
+                      base::text("the contact of the group '", settings_.group, "' did not settle in ",
+                                 settings_.max_augmentations, " augmentations at t = ", time, " s: ",
+                                 mesh_->team().first_text(left), ". Try a larger penalty_factor, a smaller step, ",
+                                 "a finer mesh, or more max_augmentations"));
 }
 
 } // namespace fem

@@ -43,6 +43,8 @@ void Supports::fix_normal(const std::string& group)
             low = low.cwiseMin(x);
             high = high.cwiseMax(x);
         }
+    for (double& x : low) x = mesh_->team().min(x);
+    for (double& x : high) x = mesh_->team().max(x);
     Eigen::Index normal = 0;
     const Eigen::VectorXd extent = high - low;
     const bool flat = extent.minCoeff(&normal) <= 1e-9 * extent.maxCoeff();
@@ -54,6 +56,7 @@ void Supports::fix_normal(const std::string& group)
 
 void Supports::prescribe(const std::string& group, const std::string& component, const Path& path)
 {
+    moves_ = true;
     for (const int dof : hold(group, component)) moved_.push_back({dof, path(mesh_->node(dof / mesh_->dimension))});
 }
 
@@ -110,9 +113,9 @@ std::vector<double> Supports::reaction(const std::string& group, const Eigen::Ve
     const int d = mesh_->dimension;
     std::vector<double> sum(d, 0.0);
     for (const int node : mesh_->group_nodes(group))
-        for (int k = 0; k < d; ++k)
+        for (int k = 0; k < d && node < mesh_->own_nodes(); ++k)
             if (fixed_[node * d + k]) sum[k] += forces[node * d + k];
-    return sum;
+    return mesh_->team().sum(std::move(sum));
 }
 
 Eigen::Vector3d Supports::moment(const Driven& driven, double time, const Motion& motion,
@@ -122,6 +125,7 @@ Eigen::Vector3d Supports::moment(const Driven& driven, double time, const Motion
     const Eigen::Vector3d centre = driven.drive->centre(time);
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     for (const int node : mesh_->group_nodes(driven.group)) {
+        if (node >= mesh_->own_nodes()) continue;
         Eigen::Vector3d arm = -centre, force = Eigen::Vector3d::Zero();
         for (int k = 0; k < d; ++k) {
             arm[k] += mesh_->node(node)[k] + motion.displacement[node * d + k];
@@ -129,15 +133,17 @@ Eigen::Vector3d Supports::moment(const Driven& driven, double time, const Motion
         }
         moment += arm.cross(force);
     }
+    mesh_->team().sum(moment.data(), 3);
     return moment;
 }
 
 std::vector<double> Supports::sums(const Eigen::VectorXd& vector) const
 {
     std::vector<double> sums(groups_.size(), 0.0);
-    for (std::size_t i = 0; i < owner_.size(); ++i)
-        if (owner_[i] >= 0) sums[owner_[i]] += vector[static_cast<Eigen::Index>(i)];
-    return sums;
+    const int own = mesh_->own_nodes() * mesh_->dimension;
+    for (int i = 0; i < own; ++i)
+        if (owner_[i] >= 0) sums[owner_[i]] += vector[i];
+    return mesh_->team().sum(std::move(sums));
 }
 
 } // namespace fem

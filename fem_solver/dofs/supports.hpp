@@ -37,7 +37,7 @@ public:
     void drive(const std::string& group, std::shared_ptr<const RigidDrive> drive);
 
     /// Whether any component is moved.
-    bool moves() const { return !moved_.empty(); }
+    bool moves() const { return moves_; }
     /// Gives moved components their displacement, velocity and acceleration at a time [s].
     void set_motion(double time, Motion& motion) const;
     /// What moved components lack to their displacement at a time; zero elsewhere [m].
@@ -53,7 +53,8 @@ public:
     void clear(Matrix& matrix, double diagonal) const;
     /// Only the held entries of a vector of nodal forces, zero elsewhere.
     Eigen::VectorXd held_part(const Eigen::VectorXd& forces) const;
-    /// Sum of the held entries over the nodes of a group: its reaction, one entry per dimension [N] (2D: N/m).
+    /// Sum of the held entries over the nodes of a group: its reaction, one entry per dimension [N] (2D: N/m). Collective,
+    /// as all sums.
     std::vector<double> reaction(const std::string& group, const Eigen::VectorXd& forces) const;
     /// Groups that are driven as rigid bodies.
     struct Driven {
@@ -82,6 +83,7 @@ private:
     std::vector<std::string> groups_;
     std::vector<Driven> driven_;
     std::vector<Moved> moved_;
+    bool moves_ = false; // here or on another rank
 };
 
 } // namespace fem

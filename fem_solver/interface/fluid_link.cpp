@@ -8,7 +8,12 @@ FluidLink::FluidLink(coupler::Participant& participant, const coupler::Interface
     : boundary_(&boundary), interface_(participant, settings, boundary.surface()), filter_(acceleration_steps)
 {}
 
-coupler::Window FluidLink::receive() { return interface_.receive(load_, fluid_); }
+coupler::Window FluidLink::receive()
+{
+    const coupler::Window window = interface_.receive(received_, fluid_);
+    load_ = boundary_->complete(received_);
+    return window;
+}
 
 void FluidLink::send(double time, const Motion& motion, coupler::SolidReport report)
 {

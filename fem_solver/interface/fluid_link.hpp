@@ -14,7 +14,7 @@ public:
     FluidLink(coupler::Participant& participant, const coupler::InterfaceSettings& settings,
               const WetBoundary& boundary, int acceleration_steps);
 
-    /// Waits for the fluid's packet; its load is then in `load`.
+    /// Waits for the fluid's packet; its load on the whole wet boundary is then in `load`.
     coupler::Window receive();
     /// Answers with the motion at a time [s].
     void send(double time, const Motion& motion, coupler::SolidReport report);
@@ -28,7 +28,7 @@ private:
     const WetBoundary* boundary_;
     coupler::SolidInterface interface_;
     coupler::AccelerationFilter filter_;
-    coupler::SurfaceLoad load_;
+    coupler::SurfaceLoad received_, load_;
     coupler::FluidReport fluid_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <limits>
 
 namespace fem {
@@ -52,11 +53,17 @@ std::vector<int> Mesh::face_nodes(const MeshFace& face) const
     });
 }
 
+const Team& Mesh::team() const
+{
+    static const Team alone;
+    return part ? part->team : alone;
+}
+
 int Mesh::nearest_node(const std::vector<double>& point) const
 {
-    int best = 0;
+    int best = -1;
     double best_distance = std::numeric_limits<double>::max();
-    for (int i = 0; i < nodes(); ++i) {
+    for (int i = 0; i < own_nodes(); ++i) {
         double distance = 0;
         for (int k = 0; k < dimension; ++k) distance += (node(i)[k] - point[k]) * (node(i)[k] - point[k]);
         if (distance < best_distance) {
@@ -64,7 +71,12 @@ int Mesh::nearest_node(const std::vector<double>& point) const
             best_distance = distance;
         }
     }
-    return best;
+    if (!part) return best;
+    const bool tied = best_distance == team().min(best_distance);
+    const auto none = std::numeric_limits<std::int64_t>::max();
+    const std::int64_t id = -team().max(tied && best >= 0 ? -node_id(best) : -none);
+    const auto found = std::ranges::find(part->node_ids, id);
+    return found == part->node_ids.end() ? -1 : static_cast<int>(found - part->node_ids.begin());
 }
 
 std::string Mesh::describe_node(int i) const
@@ -72,6 +84,26 @@ std::string Mesh::describe_node(int i) const
     std::string text = "(";
     for (int k = 0; k < dimension; ++k) text += base::text(k > 0 ? ", " : "", node(i)[k]);
     return text + ")";
+}
+
+std::int64_t all_elements(const Mesh& mesh) { return mesh.team().sum(std::int64_t{mesh.own_elements()}); }
+std::int64_t all_nodes(const Mesh& mesh) { return mesh.team().sum(std::int64_t{mesh.own_nodes()}); }
+
+Box bounding_box(const Mesh& mesh)
+{
+    const auto d = static_cast<std::size_t>(mesh.dimension);
+    Box box{std::vector<double>(d, std::numeric_limits<double>::max()),
+            std::vector<double>(d, std::numeric_limits<double>::lowest())};
+    for (int i = 0; i < mesh.own_nodes(); ++i)
+        for (std::size_t k = 0; k < d; ++k) {
+            box.low[k] = std::min(box.low[k], mesh.node(i)[k]);
+            box.high[k] = std::max(box.high[k], mesh.node(i)[k]);
+        }
+    for (std::size_t k = 0; k < d; ++k) {
+        box.low[k] = mesh.team().min(box.low[k]);
+        box.high[k] = mesh.team().max(box.high[k]);
+    }
+    return box;
 }
 
 void check_jacobians(const Mesh& mesh)

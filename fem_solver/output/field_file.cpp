@@ -14,22 +14,25 @@ constexpr std::array<const char*, 10> xdmf_names{"triangle",        "triangle_6"
 
 } // namespace
 
-FieldFile::FieldFile(const std::string& folder, const Mesh& mesh, const base::Communicator& comm)
+FieldFile::FieldFile(const std::string& folder, const Mesh& mesh, const DofMap& dofs, const base::Communicator& comm)
     : mesh_(&mesh), file_(folder + "/fields", comm)
 {
     topology_.kind = xdmf_names[static_cast<std::size_t>(mesh.type)];
     topology_.nodes_per_cell = mesh.nodes_per_element();
     const std::size_t n = mesh.nodes_per_element();
-    for (std::size_t i = 0; i < mesh.connectivity.size(); ++i)
-        topology_.connectivity.push_back(mesh.connectivity[i - i % n + own_place(mesh.type, i % n)]);
+    const auto& equations = dofs.equations(); // they count nodes rank by rank as well
+    for (std::size_t i = 0; i < n * static_cast<std::size_t>(mesh.own_elements()); ++i) {
+        const auto node = static_cast<std::size_t>(mesh.connectivity[i - i % n + own_place(mesh.type, i % n)]);
+        topology_.connectivity.push_back(equations[node * static_cast<std::size_t>(mesh.dimension)] / mesh.dimension);
+    }
 }
 
-/// Three components per node, as files want them.
+/// Three components per own node, as files want them.
 std::vector<double> FieldFile::in_space(const Eigen::VectorXd& field) const
 {
     const int d = mesh_->dimension;
-    std::vector<double> result(3 * static_cast<std::size_t>(mesh_->nodes()), 0.0);
-    for (int i = 0; i < mesh_->nodes(); ++i)
+    std::vector<double> result(3 * static_cast<std::size_t>(mesh_->own_nodes()), 0.0);
+    for (int i = 0; i < mesh_->own_nodes(); ++i)
         for (int k = 0; k < d; ++k) result[3 * i + k] = field[i * d + k];
     return result;
 }

@@ -18,15 +18,16 @@ const std::map<std::string, Quantity> quantities{{"displacement", {"u", "[m]", &
 
 } // namespace
 
-Probes::Probes(const Mesh& mesh, const std::vector<ProbeConfig>& probes)
+Probes::Probes(const Mesh& mesh, const std::vector<ProbeConfig>& probes) : mesh_(&mesh)
 {
     for (const ProbeConfig& probe : probes) {
-        const int node = mesh.nearest_node(probe.position);
+        const int nearest = mesh.nearest_node(probe.position);
+        const bool own = nearest >= 0 && nearest < mesh.own_nodes();
         for (const std::string& name : probe.quantities) {
             const Quantity& quantity = quantities.at(name);
             for (int k = 0; k < mesh.dimension; ++k) {
                 columns_.push_back(probe.name + "." + quantity.symbol + "xyz"[k] + quantity.unit);
-                entries_.push_back({quantity.field, static_cast<Eigen::Index>(node) * mesh.dimension + k});
+                entries_.push_back({quantity.field, own ? nearest * mesh.dimension + k : -1});
             }
         }
     }
@@ -35,8 +36,8 @@ Probes::Probes(const Mesh& mesh, const std::vector<ProbeConfig>& probes)
 std::vector<double> Probes::values(const Motion& motion) const
 {
     std::vector<double> result;
-    for (const Entry& entry : entries_) result.push_back((motion.*entry.field)[entry.dof]);
-    return result;
+    for (const Entry& entry : entries_) result.push_back(entry.dof < 0 ? 0 : (motion.*entry.field)[entry.dof]);
+    return mesh_->team().sum(std::move(result));
 }
 
 } // namespace fem

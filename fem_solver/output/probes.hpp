@@ -14,13 +14,15 @@ public:
 
     /// Headers, without the time.
     const std::vector<std::string>& columns() const { return columns_; }
+    /// Collective.
     std::vector<double> values(const Motion& motion) const;
 
 private:
     struct Entry {
         Eigen::VectorXd Motion::*field;
-        Eigen::Index dof;
+        Eigen::Index dof; ///< -1 where another rank owns it
     };
+    const Mesh* mesh_;
     std::vector<std::string> columns_;
     std::vector<Entry> entries_;
 };

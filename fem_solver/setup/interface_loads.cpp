@@ -75,6 +75,7 @@ std::vector<char> InterfaceLoads::wet_facets(const coupler::SurfaceLoad& load) c
         for (std::size_t f = 0; f < facets.size(); ++f) wet[f] = load.pressure[f] != 0;
         return wet;
     }
+    if (facets.empty()) return wet;
     const Eigen::Index d = std::ssize(load.force) / std::ssize(boundary_->surface_nodes());
     const Eigen::VectorXd& force = nodal_->force();
     for (std::size_t f = 0; f < facets.size(); ++f)

@@ -22,8 +22,9 @@ std::shared_ptr<const base::Ground> make_ground(const ContactConfig& config, int
 std::unique_ptr<GroundContact> make_contact(const ContactConfig& config, const Mesh& mesh, const SolidForces& forces,
                                             bool dynamic)
 {
-    const double stiffness = surface_stiffness(contact_points(mesh, mesh.faces(config.group)),
-                                               forces.initial_stiffness().diagonal(), mesh.dimension);
+    Eigen::VectorXd diagonal = forces.initial_stiffness().diagonal();
+    forces.map().refresh(diagonal);
+    const double stiffness = surface_stiffness(contact_points(mesh, mesh.faces(config.group)), diagonal, mesh);
     ContactSettings settings;
     settings.group = config.group;
     settings.constants.normal_penalty = config.penalty_factor * stiffness;

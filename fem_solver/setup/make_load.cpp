@@ -21,8 +21,9 @@ PressureField pressure_field(const LoadConfig& load, int dimension)
 
 std::vector<int> nodes_of(const LoadConfig& load, const Mesh& mesh)
 {
-    if (load.group.empty()) return {mesh.nearest_node(load.position)};
-    return mesh.group_nodes(load.group);
+    if (!load.group.empty()) return mesh.group_nodes(load.group);
+    const int node = mesh.nearest_node(load.position);
+    return node < 0 ? std::vector<int>{} : std::vector<int>{node};
 }
 
 std::unique_ptr<Load> nodal_force(const LoadConfig& load, const Mesh& mesh)
@@ -38,8 +39,11 @@ std::unique_ptr<Load> springs(const LoadConfig& load, const Mesh& mesh, const Ma
     if (!load.group.empty())
         return std::make_unique<Springs>(spring_stiffness(mesh, pattern, mesh.faces(load.group), load.stiffness));
     Matrix stiffness = pattern.zero();
-    const int first = mesh.nearest_node(load.position) * mesh.dimension;
-    for (int k = 0; k < mesh.dimension; ++k) pattern.add_entry(stiffness, first + k, first + k, load.stiffness[k]);
+    for (const int node : nodes_of(load, mesh))
+        for (int k = 0; k < mesh.dimension; ++k) {
+            const int dof = node * mesh.dimension + k;
+            pattern.add_entry(stiffness, dof, dof, load.stiffness[k]);
+        }
     return std::make_unique<Springs>(stiffness);
 }
 

@@ -66,8 +66,8 @@ Material make_material(const MaterialConfig& config)
     return {SaintVenantKirchhoff{lame}, config.density};
 }
 
-SolidModel::SolidModel(const SolidConfig& config)
-    : mesh_(make_mesh(config.mesh, config.model.dimension)),
+SolidModel::SolidModel(const SolidConfig& config, const Team& team)
+    : mesh_(make_mesh(config, team)),
       supports_(mesh_),
       forces_(mesh_, sheet_material(config), body_settings(config.mesh))
 {

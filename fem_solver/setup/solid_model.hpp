@@ -11,8 +11,8 @@ namespace fem {
 /// The solid as solid.toml describes it: mesh, supports, and everything that pulls at the nodes.
 class SolidModel {
 public:
-    /// \throws base::Error bad_input for unknown groups and unusable meshes.
-    explicit SolidModel(const SolidConfig& config);
+    /// Collective over the team. \throws base::Error bad_input for unknown groups and unusable meshes.
+    explicit SolidModel(const SolidConfig& config, const Team& team = {});
     SolidModel(const SolidModel&) = delete;
 
     const Mesh& mesh() const { return mesh_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include "fem_solver/dofs/dof_map.hpp"
 
 #include <vector>
 
@@ -20,23 +20,27 @@ struct NewtonSettings {
 /// inertial) of the iterate. The residual ratio of successive iterations tells how good a kept factorisation still is.
 class NewtonMonitor {
 public:
-    explicit NewtonMonitor(const NewtonSettings& settings) : settings_(settings) {}
+    /// \param dofs outlives the monitor.
+    NewtonMonitor(const NewtonSettings& settings, const DofMap& dofs) : settings_(settings), dofs_(&dofs) {}
 
     void start() { residuals_.clear(); }
-    /// Notes the residual of the present iterate. \param force, round_off see above [N].
+    /// Notes the residual of the present iterate. Collective. \param force, round_off see above [N].
     bool converged(const Eigen::VectorXd& residual, double force, double round_off);
     /// The last correction reduced the residual by too little.
     bool slow() const;
+    /// The last residual holds what is no finite number, at entry worst().
+    bool broken() const;
     bool exhausted() const { return static_cast<int>(residuals_.size()) > settings_.max_iterations; }
-    /// Entry of the largest residual, for the message of a failure.
+    /// Entry of the largest residual, for the message of a failure; -1 on ranks that do not hold it.
     Eigen::Index worst() const { return worst_; }
     /// Largest residual of each iterate so far [N].
     const std::vector<double>& residuals() const { return residuals_; }
 
 private:
     NewtonSettings settings_;
+    const DofMap* dofs_;
     std::vector<double> residuals_;
-    Eigen::Index worst_ = 0;
+    Eigen::Index worst_ = -1;
 };
 
 } // namespace fem

@@ -21,12 +21,13 @@ void EnergyLedger::start(const Motion& motion, const Forces& forces)
 void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, const Forces& forces_n,
                            const Forces& forces_np1, double dt)
 {
+    const DofMap& map = forces_->map();
     const double alpha = hht_.alpha(), gamma = hht_.gamma();
     const Eigen::VectorXd du = motion_np1.displacement - motion_n.displacement;
     const Forces weighted_np1 = forces_np1.blend(1 + alpha, forces_n, -alpha);
     const Eigen::VectorXd reaction_np1 = support_force(motion_np1, weighted_np1);
     const auto work = [&](const Eigen::VectorXd& f_n, const Eigen::VectorXd& f_np1) {
-        return (1 - gamma) * du.dot(f_n) + gamma * du.dot(f_np1);
+        return map.dot(du, (1 - gamma) * f_n + gamma * f_np1);
     };
     const double correction = work(weighted_.correction, weighted_np1.correction);
     energies_.work_correction += correction;
@@ -47,10 +48,10 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     const double strain = forces_->strain_energy(motion_np1);
     const Eigen::VectorXd da = motion_np1.acceleration - motion_n.acceleration;
     const Eigen::VectorXd inertia_da = forces_->inertia(da);
-    const double growth = 0.5 * inertia_da.dot(motion_np1.acceleration + motion_n.acceleration); // d(1/2 a.M a)
+    const double growth = 0.5 * map.dot(inertia_da, motion_np1.acceleration + motion_n.acceleration); // d(1/2 a.M a)
     energies_.numerical_dissipation +=
         work(weighted_.internal, weighted_np1.internal) - (strain - energies_.strain) +
-        dt * dt * (hht_.beta() - 0.5 * gamma) * (growth + (gamma - 0.5) * da.dot(inertia_da));
+        dt * dt * (hht_.beta() - 0.5 * gamma) * (growth + (gamma - 0.5) * map.dot(da, inertia_da));
 
     energies_.kinetic = forces_->kinetic_energy(motion_np1);
     energies_.strain = strain;

@@ -19,14 +19,11 @@ struct Failure {
     };
     Kind kind = Kind::no_convergence;
     Inversion inversion = {}; ///< of kind inversion
-    int node = -1; ///< of kind unheld: the one that moves farthest, -1 when not known; of not_a_number: the first such
+    int node = -1; ///< of kind unheld: the one that moves farthest, -1 when it is not known or on another rank
 };
 
-/// The first entry that is no finite number, or -1.
-int first_not_a_number(const Eigen::VectorXd& vector);
-
 /// The failure in words: what happened, at which node or element, where that is in the reference state, and how far it
-/// has moved. \param newton holds the residuals of the iteration that failed.
+/// has moved. Collective. \param newton holds the residuals of the iteration that failed.
 std::string describe(const Failure& failure, const Mesh& mesh, const Motion& motion, const NewtonMonitor& newton);
 
 } // namespace fem

@@ -24,7 +24,8 @@ SolidStep::SolidStep(const Mesh& mesh, SolidForces& forces, const Supports& supp
       supports_(supports),
       hht_(hht),
       settings_(settings),
-      newton_(settings.newton),
+      newton_(settings.newton, forces.map()),
+      solver_(make_linear_solver(settings.solver, mesh, forces.map(), forces.pattern().zero())),
       ledger_(forces, supports, hht),
       forces_n_(Forces::zero(forces.dofs())),
       forces_np1_(forces_n_)
@@ -34,16 +35,19 @@ void SolidStep::start(Motion& motion)
 {
     supports_.set_motion(time_, motion);
     const Inversion inversion = model_.evaluate(motion, 1, forces_n_, time_);
-    base::require(!inversion.happened(), base::ExitCode::numerical_failure, "element ", inversion.element,
-                  " is inverted in the initial state");
+    if (inversion.happened()) {
+        fails({Failure::Kind::inversion, inversion});
+        throw base::Error(base::ExitCode::numerical_failure,
+                          "the initial state " + describe(failure_, mesh_, motion, newton_));
+    }
     Matrix mass = model_.mass();
     supports_.clear(mass, mass.diagonal().mean());
     const Eigen::VectorXd held = supports_.held_part(motion.acceleration);
     Eigen::VectorXd right_hand_side = -forces_n_.unbalanced() - model_.inertia(held);
     supports_.clear_rows(right_hand_side);
-    LinearSolver solver;
-    solver.factorise(mass);
-    motion.acceleration = solver.solve(right_hand_side) + held;
+    const auto solver = make_linear_solver(settings_.solver, mesh_, model_.map(), mass);
+    solver->factorise(mass);
+    motion.acceleration = solver->solve(right_hand_side) + held;
     ledger_.start(motion, forces_n_);
 }
 
@@ -118,11 +122,10 @@ bool SolidStep::solve(Motion& motion, double dt)
         Eigen::VectorXd r = residual(inertia);
         supports_.clear_rows(r);
         if (newton_.converged(r, force_scale(inertia), model_.round_off(motion))) return true;
-        if (const auto entry = first_not_a_number(r); entry >= 0)
-            return fails({Failure::Kind::not_a_number, {}, entry / mesh_.dimension});
+        if (newton_.broken()) return fails({Failure::Kind::not_a_number});
         if (newton_.exhausted()) return fails({});
         if (newton_.slow() || std::abs(dt - factorised_dt_) > same_dt * factorised_dt_) factorise(motion, dt);
-        if (!apply(motion, solver_.solve(-r), dt)) return false;
+        if (!apply(motion, solver_->solve(-r), dt)) return false;
     }
 }
 
@@ -151,7 +154,7 @@ Eigen::VectorXd SolidStep::residual(const Eigen::VectorXd& inertia) const
 /// The largest nodal force of the iterate, which residuals are measured by.
 double SolidStep::force_scale(const Eigen::VectorXd& inertia) const
 {
-    const auto largest = [](const Eigen::VectorXd& v) { return v.cwiseAbs().maxCoeff(); };
+    const auto largest = [&](const Eigen::VectorXd& v) { return model_.map().largest(v); };
     return std::max({largest(forces_np1_.internal), largest(forces_np1_.interface), largest(forces_np1_.loads),
                      largest(forces_np1_.gravity), largest(forces_np1_.contact), largest(inertia)});
 }
@@ -161,7 +164,7 @@ void SolidStep::factorise(const Motion& motion, double dt)
     Matrix matrix = model_.tangent(
         motion, {hht_.acceleration_slope(dt), 1 + hht_.alpha(), hht_.velocity_slope(dt), 1.0, time_ + dt});
     supports_.clear(matrix, matrix.diagonal().mean());
-    solver_.factorise(matrix);
+    solver_->factorise(matrix);
     factorised_dt_ = dt;
 }
 
@@ -172,7 +175,7 @@ bool SolidStep::apply(Motion& motion, const Eigen::VectorXd& correction, double 
     double scale = 1;
     hht_.correct(motion, correction, scale, dt);
     for (int halvings = 0; !evaluate(motion, dt); ++halvings) {
-        if (halvings == max_halvings || !correction.allFinite()) return false;
+        if (halvings == max_halvings || std::isinf(model_.map().largest(correction))) return false;
         scale *= 0.5;
         hht_.correct(motion, correction, -scale, dt);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fem_solver/solve/linear_solver.hpp"
+#include "fem_solver/solve/make_linear_solver.hpp"
 #include "fem_solver/time/energy_ledger.hpp"
 #include "fem_solver/time/failure.hpp"
 
@@ -18,6 +18,7 @@ struct StepSettings {
     NewtonSettings newton;
     Predictor predictor = Predictor::constant_acceleration;
     int sub_steps = 1; ///< equal HHT steps in each step
+    SolverSettings solver = {};
 };
 
 /// One implicit step of the solid after the other, in one HHT step or several.
@@ -50,7 +51,7 @@ public:
     long steps() const { return steps_; }
     long sub_steps() const { return sub_steps_; }
     long iterations() const { return iterations_; }
-    long factorisations() const { return solver_.factorisations(); }
+    long factorisations() const { return solver_->factorisations(); }
 
 private:
     void advance_part(Motion& motion, double dt, const std::function<void(double)>& set_load);
@@ -76,7 +77,7 @@ private:
     Hht hht_;
     StepSettings settings_;
     NewtonMonitor newton_;
-    LinearSolver solver_;
+    std::unique_ptr<LinearSolver> solver_;
     EnergyLedger ledger_;
     Forces forces_n_, forces_np1_;
     Failure failure_; // the last one

@@ -22,14 +22,17 @@ const char* advice(Failure::Kind kind)
 } // namespace
 
 StaticSolution::StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                               const NewtonSettings& newton, LoadTime time)
+                               const StaticSettings& settings)
     : mesh_(mesh),
       model_(forces),
       supports_(supports),
-      newton_(newton),
+      newton_(settings.newton, forces.map()),
+      solver_(make_linear_solver(settings.solver, mesh, forces.map(), forces.pattern().zero())),
       forces_now_(Forces::zero(forces.dofs())),
-      time_(time),
-      works_(forces, supports)
+      time_(settings.time),
+      works_(forces, supports),
+      size_(forces.map().largest(
+          Eigen::Map<const Eigen::VectorXd>(mesh.coordinates.data(), std::ssize(mesh.coordinates))))
 {}
 
 void StaticSolution::solve(Motion& motion, int load_steps, const Observer& observer)
@@ -88,19 +91,18 @@ bool StaticSolution::solve(Motion& motion, double factor)
     Eigen::VectorXd gap = supports_.gap(time(factor), motion.displacement);
     for (;;) {
         Eigen::VectorXd residual = forces_now_.unbalanced();
-        const double scale = std::max(residual.cwiseAbs().maxCoeff(), forces_now_.internal.cwiseAbs().maxCoeff());
+        const double scale = std::max(model_.map().largest(residual), model_.map().largest(forces_now_.internal));
         supports_.clear_rows(residual);
-        const bool there = gap.isZero(0);
+        const bool there = model_.map().largest(gap) == 0;
         if (newton_.converged(residual, scale, model_.round_off(motion)) && there) return true;
-        if (const auto node = first_not_a_number(residual); node >= 0)
-            return fails({Failure::Kind::not_a_number, {}, node / mesh_.dimension});
+        if (newton_.broken()) return fails({Failure::Kind::not_a_number});
         if (newton_.exhausted()) return fails({Failure::Kind::no_convergence});
         Matrix matrix = model_.tangent(motion, {0.0, 1.0, 0.0, factor, time(factor)});
         if (!there) residual += matrix * gap;
         supports_.clear_rows(residual);
         supports_.clear(matrix, matrix.diagonal().mean());
-        if (!factorise(matrix) || !apply(motion, gap - solver_.solve(residual), factor)) return false;
-        if (!there && !supports_.gap(time(factor), motion.displacement).isZero(1e-12)) return false; // cut on the way
+        if (!factorise(matrix) || !apply(motion, gap - solver_->solve(residual), factor)) return false;
+        if (!there && model_.map().largest(supports_.gap(time(factor), motion.displacement)) > 1e-12) return false; // cut on the way
         gap.setZero();
     }
 }
@@ -108,7 +110,7 @@ bool StaticSolution::solve(Motion& motion, double factor)
 bool StaticSolution::factorise(const Matrix& matrix)
 {
     try {
-        solver_.factorise(matrix);
+        solver_->factorise(matrix);
     } catch (const base::Error&) {
         return fails({Failure::Kind::unheld});
     }
@@ -117,12 +119,11 @@ bool StaticSolution::factorise(const Matrix& matrix)
 
 bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, double factor)
 {
-    const double size = Eigen::Map<const Eigen::VectorXd>(mesh_.coordinates.data(), std::ssize(mesh_.coordinates))
-                            .cwiseAbs()
-                            .maxCoeff();
-    Eigen::Index farthest = 0;
-    if (!(correction.cwiseAbs().maxCoeff(&farthest) < unheld * size)) // NaN too
-        return fails({Failure::Kind::unheld, {}, static_cast<int>(farthest) / mesh_.dimension});
+    const DofMap::Largest farthest = model_.map().find_largest(correction);
+    if (!(farthest.value < unheld * size_)) {
+        const int node = farthest.entry < 0 ? -1 : static_cast<int>(farthest.entry) / mesh_.dimension;
+        return fails({Failure::Kind::unheld, {}, node});
+    }
     double scale = 1;
     motion.displacement += correction;
     for (int halvings = 0;; ++halvings) {

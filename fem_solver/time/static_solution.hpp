@@ -3,7 +3,7 @@
 
 #include "fem_solver/assembly/solid_forces.hpp"
 #include "fem_solver/dofs/supports.hpp"
-#include "fem_solver/solve/linear_solver.hpp"
+#include "fem_solver/solve/make_linear_solver.hpp"
 #include "fem_solver/time/failure.hpp"
 #include "fem_solver/time/static_works.hpp"
 
@@ -18,13 +18,20 @@ enum class LoadTime {
     start   ///< zero: the state in which a motion begins
 };
 
+/// Choices of a static solution.
+struct StaticSettings {
+    NewtonSettings newton;
+    SolverSettings solver = {};
+    LoadTime time = LoadTime::factor;
+};
+
 /// Equilibrium f_int(u) = s f_ext(u) for load factors s that rise to 1 in equal parts, by full Newton.
 /// A part that does not converge is cut into shorter strides, which grow again after one that was easy.
 class StaticSolution {
 public:
     /// All references outlive the object.
-    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const NewtonSettings& newton,
-                   LoadTime time = LoadTime::factor);
+    StaticSolution(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
+                   const StaticSettings& settings);
 
     /// Called after each load step with the load factor.
     using Observer = std::function<void(double factor)>;
@@ -42,7 +49,7 @@ public:
     Eigen::VectorXd reaction() const { return supports_.held_part(forces_now_.unbalanced()); }
     /// Residuals of the last load step's iterations, largest nodal entry [N].
     const std::vector<double>& residuals() const { return newton_.residuals(); }
-    long iterations() const { return solver_.factorisations(); }
+    long iterations() const { return solver_->factorisations(); }
 
 private:
     void raise(Motion& motion, int step, int load_steps);
@@ -62,12 +69,13 @@ private:
     const SolidForces& model_;
     const Supports& supports_;
     NewtonMonitor newton_;
-    LinearSolver solver_;
+    std::unique_ptr<LinearSolver> solver_;
     Forces forces_now_;
     LoadTime time_;
     StaticWorks works_;
     Reporter report_ = [](const std::string&) {};
     Failure failure_; // the last one
+    double size_;     // largest coordinate of the body [m]
     /// A stride with no more residuals than this may be followed by one twice as long.
     static constexpr std::ptrdiff_t easy_iterations = 8;
 };

@@ -20,7 +20,9 @@ void StaticWorks::start(const Motion& motion, const Forces& now)
 void StaticWorks::account(const Motion& motion, const Forces& now)
 {
     const Eigen::VectorXd du = motion.displacement - displacement_;
-    const auto work = [&](const Eigen::VectorXd& f_0, const Eigen::VectorXd& f_1) { return 0.5 * du.dot(f_0 + f_1); };
+    const auto work = [&](const Eigen::VectorXd& f_0, const Eigen::VectorXd& f_1) {
+        return 0.5 * forces_->map().dot(du, f_0 + f_1);
+    };
     for (std::size_t k = 0; k < now.each_load.size(); ++k)
         energies_.work_of_load[k] += work(last_.each_load[k], now.each_load[k]);
     const std::vector<double> supports = supports_->sums(0.5 * du.cwiseProduct(reaction(last_) + reaction(now)));

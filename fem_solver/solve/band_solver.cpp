@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fem_solver/solve/linear_solver.hpp"
+#include "fem_solver/solve/band_solver.hpp"
 
 #include "coupler_lib/foundation/check.hpp"
 
@@ -31,7 +31,7 @@ std::vector<int> breadth_first(const Matrix& matrix, int start, const std::vecto
 
 } // namespace
 
-void LinearSolver::renumber(const Matrix& matrix)
+void BandSolver::renumber(const Matrix& matrix)
 {
     size_ = static_cast<int>(matrix.rows());
     position_.assign(size_, -1);
@@ -54,18 +54,24 @@ void LinearSolver::renumber(const Matrix& matrix)
     work_.resize(size_);
 }
 
-void LinearSolver::factorise(const Matrix& matrix)
+int BandSolver::width(const Matrix& pattern)
+{
+    BandSolver solver;
+    solver.renumber(pattern);
+    return solver.width_;
+}
+
+void BandSolver::eliminate(const Matrix& matrix)
 {
     if (size_ != matrix.rows()) renumber(matrix);
     band_.assign(static_cast<std::size_t>(size_) * height_, 0.0);
     for (int j = 0; j < size_; ++j)
         for (Matrix::InnerIterator entry(matrix, j); entry; ++entry)
             column(position_[j])[position_[entry.row()] - position_[j]] = entry.value();
-    eliminate();
-    ++factorisations_;
+    decompose();
 }
 
-void LinearSolver::eliminate()
+void BandSolver::decompose()
 {
     int reach = 0; // last column that rows up to the present pivot extend to
     upper_ = 0;
@@ -97,7 +103,7 @@ void LinearSolver::eliminate()
     }
 }
 
-Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right_hand_side) const
+Eigen::VectorXd BandSolver::solve(const Eigen::VectorXd& right_hand_side)
 {
     double* x = work_.data();
     for (int i = 0; i < size_; ++i) x[position_[i]] = right_hand_side[i];

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/modal/modal_analysis.hpp"
+
+#include "coupler_lib/foundation/check.hpp"
+#include "fem_solver/solve/petsc_matrix.hpp"
+#include "fem_solver/solve/petsc_session.hpp"
+
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fem {
+namespace {
+
+constexpr double tolerance = 1e-10;
+/// The shift over trace K / trace M.
+constexpr double relative_shift = 1e-8;
+
+/// K and M of the unknowns that are not held; held ones keep a diagonal in K and none in M, so that their w^2 is infinite.
+struct Pencil {
+    Matrix stiffness, mass;
+};
+
+Pencil make_pencil(const SolidForces& forces, const Supports& supports, const Motion& state)
+{
+    const Matrix tangent = forces.tangent(state, {0.0, 1.0, 0.0, 1.0, 0.0});
+    const Matrix transposed = tangent.transpose();
+    Pencil pencil{0.5 * (tangent + transposed), forces.mass()};
+    supports.clear(pencil.stiffness, tangent.diagonal().mean());
+    supports.clear(pencil.mass, 0);
+    return pencil;
+}
+
+double trace(const DofMap& dofs, const Matrix& matrix)
+{
+    return dofs.team().sum(Eigen::VectorXd(matrix.diagonal()).head(dofs.own()).sum());
+}
+
+/// SLEPc between its start and its end; PETSc runs before and after.
+struct SlepcSession {
+    SlepcSession() { require_petsc(SlepcInitialize(nullptr, nullptr, nullptr, nullptr), "start SLEPc"); }
+    ~SlepcSession() { SlepcFinalize(); }
+    SlepcSession(const SlepcSession&) = delete;
+};
+
+/// SLEPc's solver with what it stands on.
+class EigenSolver {
+public:
+    EigenSolver(const Mesh& mesh, const DofMap& dofs, const Pencil& pencil, int count)
+        : stiffness_(mesh, dofs, pencil.stiffness), mass_(mesh, dofs, pencil.stiffness)
+    {
+        stiffness_.set(pencil.stiffness);
+        mass_.set(pencil.mass);
+        require_petsc(EPSCreate(petsc_comm(dofs), &solver_), "make an eigensolver");
+        require_petsc(EPSSetOperators(solver_, stiffness_.handle(), mass_.handle()), "take the matrices");
+        EPSSetProblemType(solver_, EPS_GHEP);
+        EPSSetDimensions(solver_, count, PETSC_DEFAULT, PETSC_DEFAULT);
+        EPSSetTolerances(solver_, tolerance, 1000);
+        EPSSetWhichEigenpairs(solver_, EPS_TARGET_MAGNITUDE);
+        EPSSetTarget(solver_, -relative_shift * trace(dofs, pencil.stiffness) / trace(dofs, pencil.mass));
+        choose_inversion();
+    }
+    ~EigenSolver() { EPSDestroy(&solver_); }
+    EigenSolver(const EigenSolver&) = delete;
+
+    /// The number of pairs that converged.
+    int solve()
+    {
+        require_petsc(EPSSolve(solver_), "find the modes");
+        PetscInt found = 0;
+        EPSGetConverged(solver_, &found);
+        return static_cast<int>(found);
+    }
+
+    /// w^2 and the shape of a pair, in ascending order of w^2.
+    std::pair<double, Eigen::VectorXd> pair(int i) const
+    {
+        double value = 0;
+        Vec vector = nullptr;
+        require_petsc(MatCreateVecs(stiffness_.handle(), &vector, nullptr), "make a vector");
+        EPSGetEigenpair(solver_, i, &value, nullptr, vector, nullptr);
+        Eigen::VectorXd shape = stiffness_.get(vector);
+        VecDestroy(&vector);
+        return {value, shape};
+    }
+
+private:
+    void choose_inversion()
+    {
+        ST transformation = nullptr;
+        KSP inverse = nullptr;
+        PC preconditioner = nullptr;
+        EPSGetST(solver_, &transformation);
+        STSetType(transformation, STSINVERT);
+        STGetKSP(transformation, &inverse);
+        KSPSetType(inverse, KSPPREONLY);
+        KSPGetPC(inverse, &preconditioner);
+        PCSetType(preconditioner, PCLU);
+        require_petsc(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "choose MUMPS");
+    }
+
+    PetscMatrix stiffness_, mass_;
+    SlepcSession slepc_;
+    EPS solver_ = nullptr;
+};
+
+Mode describe(const DofMap& dofs, const Pencil& pencil, double square, Eigen::VectorXd shape, int dimension)
+{
+    Mode mode;
+    const double scale = std::sqrt(dofs.dot(shape, pencil.mass * shape));
+    const DofMap::Largest largest = dofs.find_largest(shape);
+    const double sign = dofs.team().sum(largest.entry >= 0 && shape[largest.entry] < 0 ? 1.0 : 0.0) > 0 ? -1 : 1;
+    mode.shape = sign / scale * shape;
+    mode.angular_frequency = std::sqrt(std::max(square, 0.0));
+    const Eigen::VectorXd elastic = pencil.stiffness * mode.shape, inertia = pencil.mass * mode.shape;
+    const Eigen::VectorXd sizes = pencil.stiffness.cwiseAbs() * mode.shape.cwiseAbs();
+    mode.residual = dofs.largest(elastic - square * inertia) / dofs.largest(sizes);
+    for (int k = 0; k < dimension; ++k) {
+        Eigen::VectorXd along = Eigen::VectorXd::Zero(shape.size());
+        for (Eigen::Index i = k; i < along.size(); i += dimension) along[i] = 1;
+        mode.masses.push_back(std::pow(dofs.dot(along, inertia), 2));
+    }
+    return mode;
+}
+
+} // namespace
+
+double Mode::frequency() const { return angular_frequency / (2 * std::numbers::pi); }
+
+double asymmetry(const DofMap& dofs, const Matrix& tangent)
+{
+    const Matrix transposed = tangent.transpose();
+    const Matrix difference = (tangent - transposed).cwiseAbs();
+    double worst = 0, largest = 0;
+    for (int j = 0; j < tangent.outerSize() && j < dofs.own(); ++j)
+        for (Matrix::InnerIterator entry(difference, j); entry; ++entry)
+            if (entry.row() < dofs.own()) worst = std::max(worst, entry.value());
+    for (int j = 0; j < tangent.outerSize() && j < dofs.own(); ++j)
+        for (Matrix::InnerIterator entry(tangent, j); entry; ++entry)
+            if (entry.row() < dofs.own()) largest = std::max(largest, std::abs(entry.value()));
+    return dofs.team().max(worst) / dofs.team().max(largest);
+}
+
+std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
+                             const Motion& state, int count)
+{
+    const DofMap& dofs = forces.map();
+    double free = 0;
+    for (int i = 0; i < dofs.own(); ++i) free += supports.fixed(i) ? 0 : 1;
+    free = dofs.team().sum(free);
+    base::require_input(count < free, "[analysis] modes = ", count, ": the body has ", free,
+                        " unknowns that are not held; ask for fewer modes");
+    const Pencil pencil = make_pencil(forces, supports, state);
+    EigenSolver solver(mesh, dofs, pencil, count);
+    const int found = solver.solve();
+    base::require(found >= count, base::ExitCode::numerical_failure, "only ", found, " of ", count,
+                  " modes converged: ask for fewer, or check the material's density and moduli");
+    std::vector<Mode> modes;
+    for (int i = 0; i < count; ++i) {
+        const auto [square, shape] = solver.pair(i);
+        modes.push_back(describe(dofs, pencil, square, shape, mesh.dimension));
+    }
+    std::ranges::sort(modes, {}, &Mode::angular_frequency);
+    return modes;
+}
+
+} // namespace fem
