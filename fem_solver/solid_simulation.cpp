@@ -4,6 +4,8 @@
 #include "coupler_lib/foundation/check.hpp"
 #include "fem_solver/data_flow.hpp"
 #include "fem_solver/material/stability.hpp"
+#include "fem_solver/modal/modal_analysis.hpp"
+#include "fem_solver/output/modal_output.hpp"
 #include "fem_solver/output/state_hash.hpp"
 #include "fem_solver/setup/formulation.hpp"
 #include "fem_solver/setup/solver_settings.hpp"
@@ -84,11 +86,13 @@ void SolidSimulation::check() const
 
 void SolidSimulation::run()
 {
-    output_.emplace(config_, session_, model_);
+    if (config_.analysis.kind != "modal") output_.emplace(config_, session_, model_);
     if (session_.coupled())
         run_coupled();
     else if (config_.analysis.kind == "static")
         run_static();
+    else if (config_.analysis.kind == "modal")
+        run_modal();
     else
         run_alone();
 }
@@ -107,6 +111,28 @@ void SolidSimulation::run_static()
     });
     finish(
         base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", solution.energies().strain));
+}
+
+/// Natural frequencies about the unloaded state or the equilibrium.
+void SolidSimulation::run_modal()
+{
+    base::require_input(!model_.contacts(), "[analysis] kind = \"modal\" knows no contact: take [[contact]] out, or ",
+                        "support the body where it touches");
+    const SolidForces& forces = model_.forces();
+    const bool loaded = config_.analysis.initial_equilibrium;
+    if (loaded) settle();
+    if (const double part = loaded ? asymmetry(forces, motion_) : 0; part > 1e-6)
+        session_.log().warn(base::text("follower loads make the tangent unsymmetric, by ", part,
+                                       " of its largest entry: the modes are those of its symmetric part"));
+    const auto modes = find_modes(model_.mesh(), forces, model_.supports(), motion_, loaded ? 1 : 0,
+                                  config_.analysis.modes);
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        session_.log().info(base::text("mode ", i + 1, ": ", modes[i].frequency(), " Hz"));
+    if (session_.is_root()) write_modes(session_.own_dir(), model_.mesh().dimension, modes);
+    FieldFile fields(session_.own_dir(), model_.mesh(), forces.map(), session_.comm());
+    write_shapes(fields, model_.mesh(), forces.map(), motion_, modes,
+                 [&](const Eigen::VectorXd& displacement) { return forces.body().stress(displacement); });
+    finish(base::JsonObject().set("first_frequency_Hz", modes.front().frequency()));
 }
 
 /// The state that the motion starts from.

@@ -24,6 +24,7 @@ public:
 private:
     void report_stability() const;
     void run_static();
+    void run_modal();
     void prepare();
     void settle();
     void run_alone();

@@ -7,7 +7,8 @@ base::Table<AnalysisConfig> analysis_table()
 {
     return base::Table<AnalysisConfig>("what is solved")
         .key("kind", &AnalysisConfig::kind,
-             {.doc = "dynamic: motion over time; static: equilibrium, alone only", .choices = {"dynamic", "static"}})
+             {.doc = "dynamic: motion over time; static: equilibrium, modal: natural frequencies, both alone only",
+              .choices = {"dynamic", "static", "modal"}})
         .key("load_steps", &AnalysisConfig::load_steps,
              {.unit = "-",
               .doc = "static and initial equilibrium: parts in which the loads are raised; one that does "
@@ -15,8 +16,11 @@ base::Table<AnalysisConfig> analysis_table()
               .min = 1,
               .max = 100000})
         .key("initial_equilibrium", &AnalysisConfig::initial_equilibrium,
-             {.doc = "dynamic: the motion starts at rest from the equilibrium under gravity and the loads of this file "
-                     "at t = 0; a fluid's load acts from its first packet on. false: from the undeformed state"});
+             {.doc = "modal: vibrations about the equilibrium under gravity and loads, not about the unloaded state; "
+                     "dynamic: the motion starts at rest from the equilibrium under gravity and the loads of this file "
+                     "at t = 0; a fluid's load acts from its first packet on. false: from the undeformed state"})
+        .key("modes", &AnalysisConfig::modes,
+             {.unit = "-", .doc = "modal: how many, from the lowest", .min = 1, .max = 10000});
 }
 
 base::Table<TimeConfig> time_table()

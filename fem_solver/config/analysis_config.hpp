@@ -13,6 +13,7 @@ struct AnalysisConfig {
     std::string kind = "dynamic";
     int load_steps = 4;
     bool initial_equilibrium = false;
+    int modes = 6;
 };
 
 /// [time]

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace fem {
 namespace {
@@ -23,9 +22,14 @@ struct Pencil {
     Matrix stiffness, mass;
 };
 
-Pencil make_pencil(const SolidForces& forces, const Supports& supports, const Motion& state)
+Matrix loaded_tangent(const SolidForces& forces, const Motion& state, double load_factor)
 {
-    const Matrix tangent = forces.tangent(state, {0.0, 1.0, 0.0, 1.0, 0.0});
+    return forces.tangent(state, {0.0, 1.0, 0.0, load_factor, 0.0});
+}
+
+Pencil make_pencil(const SolidForces& forces, const Supports& supports, const Motion& state, double load_factor)
+{
+    const Matrix tangent = loaded_tangent(forces, state, load_factor);
     const Matrix transposed = tangent.transpose();
     Pencil pencil{0.5 * (tangent + transposed), forces.mass()};
     supports.clear(pencil.stiffness, tangent.diagonal().mean());
@@ -127,10 +131,10 @@ Mode describe(const DofMap& dofs, const Pencil& pencil, double square, Eigen::Ve
 
 } // namespace
 
-double Mode::frequency() const { return angular_frequency / (2 * std::numbers::pi); }
-
-double asymmetry(const DofMap& dofs, const Matrix& tangent)
+double asymmetry(const SolidForces& forces, const Motion& state)
 {
+    const DofMap& dofs = forces.map();
+    const Matrix tangent = loaded_tangent(forces, state, 1);
     const Matrix transposed = tangent.transpose();
     const Matrix difference = (tangent - transposed).cwiseAbs();
     double worst = 0, largest = 0;
@@ -144,7 +148,7 @@ double asymmetry(const DofMap& dofs, const Matrix& tangent)
 }
 
 std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                             const Motion& state, int count)
+                             const Motion& state, double load_factor, int count)
 {
     const DofMap& dofs = forces.map();
     double free = 0;
@@ -152,7 +156,7 @@ std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const 
     free = dofs.team().sum(free);
     base::require_input(count < free, "[analysis] modes = ", count, ": the body has ", free,
                         " unknowns that are not held; ask for fewer modes");
-    const Pencil pencil = make_pencil(forces, supports, state);
+    const Pencil pencil = make_pencil(forces, supports, state, load_factor);
     EigenSolver solver(mesh, dofs, pencil, count);
     const int found = solver.solve();
     base::require(found >= count, base::ExitCode::numerical_failure, "only ", found, " of ", count,

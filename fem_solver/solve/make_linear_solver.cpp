@@ -8,6 +8,8 @@
 namespace fem {
 namespace {
 
+using Method = SolverSettings::Method;
+
 /// Multiplications of a banded elimination, n w^2, up to which it is taken: about a second.
 constexpr double band_work_limit = 1e9;
 
@@ -22,7 +24,6 @@ bool slender(const Matrix& pattern)
 std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
                                                  const Matrix& pattern)
 {
-    using Method = SolverSettings::Method;
     const bool alone = dofs.team().size() == 1;
     Method method = settings.method;
     base::require_input(alone || method == Method::automatic || method == Method::petsc,
@@ -32,6 +33,15 @@ std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings,
     if (method == Method::banded) return std::make_unique<BandSolver>();
     if (method == Method::sparse) return std::make_unique<SparseSolver>();
     return std::make_unique<PetscSolver>(settings.petsc, mesh, dofs);
+}
+
+std::unique_ptr<LinearSolver> make_mass_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
+                                               const Matrix& pattern)
+{
+    const bool banded = settings.method == Method::banded ||
+                        (settings.method == Method::automatic && dofs.team().size() == 1 && slender(pattern));
+    if (banded) return std::make_unique<BandSolver>();
+    return std::make_unique<PetscSolver>(PetscSettings{PetscSettings::Method::cg_jacobi, 1e-13, ""}, mesh, dofs);
 }
 
 } // namespace fem

@@ -23,4 +23,8 @@ struct SolverSettings {
 std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
                                                  const Matrix& pattern);
 
+/// For mass matrices, which need no factorisation: banded where that is asked for or cheap, else conjugate gradients.
+std::unique_ptr<LinearSolver> make_mass_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
+                                               const Matrix& pattern);
+
 } // namespace fem

@@ -7,6 +7,8 @@
 namespace fem {
 namespace {
 
+using Method = PetscSettings::Method;
+
 constexpr const char* prefix = "solver_";
 
 void add_options(const std::string& options)
@@ -37,21 +39,37 @@ void PetscSolver::make_solver()
     require_petsc(KSPCreate(petsc_comm(*dofs_), &solver_), "make a solver");
     PC preconditioner = nullptr;
     KSPGetPC(solver_, &preconditioner);
-    if (settings_.method == PetscSettings::Method::mumps) {
+    if (settings_.method == Method::mumps) {
         KSPSetType(solver_, KSPPREONLY);
         PCSetType(preconditioner, PCLU);
         PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS);
     } else {
-        const bool gamg = settings_.method == PetscSettings::Method::gmres_gamg;
-        KSPSetType(solver_, KSPGMRES);
-        KSPSetPCSide(solver_, PC_RIGHT); // so that the true residual is judged
-        KSPGMRESSetRestart(solver_, 100);
         KSPSetTolerances(solver_, settings_.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, 1000);
-        PCSetType(preconditioner, gamg ? PCGAMG : PCHYPRE);
-        if (gamg) give_rigid_motions();
+        settings_.method == Method::cg_jacobi ? choose_conjugate_gradients() : choose_multigrid();
     }
     KSPSetOptionsPrefix(solver_, prefix);
     require_petsc(KSPSetFromOptions(solver_), "take its options ([linear_solver] options)");
+}
+
+void PetscSolver::choose_conjugate_gradients()
+{
+    PC preconditioner = nullptr;
+    KSPGetPC(solver_, &preconditioner);
+    KSPSetType(solver_, KSPCG);
+    KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED);
+    PCSetType(preconditioner, PCJACOBI);
+}
+
+void PetscSolver::choose_multigrid()
+{
+    const bool gamg = settings_.method == Method::gmres_gamg;
+    PC preconditioner = nullptr;
+    KSPGetPC(solver_, &preconditioner);
+    KSPSetType(solver_, KSPGMRES);
+    KSPSetPCSide(solver_, PC_RIGHT); // so that the true residual is judged
+    KSPGMRESSetRestart(solver_, 100);
+    PCSetType(preconditioner, gamg ? PCGAMG : PCHYPRE);
+    if (gamg) give_rigid_motions();
 }
 
 /// Multigrid must carry what costs no energy to its coarse levels: translations and small turns.

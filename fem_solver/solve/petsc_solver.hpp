@@ -16,7 +16,8 @@ struct PetscSettings {
     enum class Method {
         mumps,      ///< direct, on any number of ranks
         gmres_gamg, ///< GMRES with algebraic multigrid by aggregation, which knows the body's rigid motions
-        gmres_hypre ///< GMRES with hypre's BoomerAMG
+        gmres_hypre, ///< GMRES with hypre's BoomerAMG
+        cg_jacobi    ///< conjugate gradients with the diagonal, for mass matrices
     };
     Method method = Method::mumps;
     double tolerance = 1e-12; ///< of the iterative methods: |b - A x| over |b|
@@ -38,6 +39,8 @@ public:
 private:
     void eliminate(const Matrix& matrix) override;
     void make_solver();
+    void choose_conjugate_gradients();
+    void choose_multigrid();
     void give_rigid_motions();
 
     PetscSettings settings_;

@@ -45,7 +45,7 @@ void SolidStep::start(Motion& motion)
     const Eigen::VectorXd held = supports_.held_part(motion.acceleration);
     Eigen::VectorXd right_hand_side = -forces_n_.unbalanced() - model_.inertia(held);
     supports_.clear_rows(right_hand_side);
-    const auto solver = make_linear_solver(settings_.solver, mesh_, model_.map(), mass);
+    const auto solver = make_mass_solver(settings_.solver, mesh_, model_.map(), mass);
     solver->factorise(mass);
     motion.acceleration = solver->solve(right_hand_side) + held;
     ledger_.start(motion, forces_n_);

@@ -34,7 +34,7 @@ struct Block {
         settings.augmented = augmented;
         settings.constants.normal_penalty =
             10 * surface_stiffness(contact_points(mesh, mesh.faces(group)), forces.initial_stiffness().diagonal(),
-                                   mesh.dimension);
+                                   mesh);
         settings.constants.tangential_penalty = settings.constants.normal_penalty;
         settings.constants.friction = friction;
         settings.tolerance = 1e-9;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/foundation/check.hpp"
-#include "fem_solver/solve/linear_solver.hpp"
+#include "fem_solver/solve/band_solver.hpp"
 #include "fem_solver/solve/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -24,10 +24,10 @@ Matrix scrambled_band(int n, int width)
     return matrix;
 }
 
-TEST(LinearSolver, SolvesWhatNeedsPivoting)
+TEST(BandSolver, SolvesWhatNeedsPivoting)
 {
     const Matrix matrix = scrambled_band(101, 4);
-    LinearSolver solver;
+    BandSolver solver;
     for (int round = 0; round < 2; ++round) { // the second factorisation reuses the numbering
         solver.factorise(matrix);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(101, -1, 2);
@@ -36,13 +36,13 @@ TEST(LinearSolver, SolvesWhatNeedsPivoting)
     EXPECT_EQ(solver.factorisations(), 2);
 }
 
-TEST(LinearSolver, SaysThatAMatrixIsSingular)
+TEST(BandSolver, SaysThatAMatrixIsSingular)
 {
     Matrix matrix(3, 3);
     matrix.insert(0, 0) = 1;
     matrix.insert(1, 1) = 0;
     matrix.insert(2, 2) = 1;
-    LinearSolver solver;
+    BandSolver solver;
     try {
         solver.factorise(matrix);
         FAIL() << "no error";
@@ -54,7 +54,10 @@ TEST(LinearSolver, SaysThatAMatrixIsSingular)
 
 TEST(NewtonMonitor, JudgesContractionAndConvergence)
 {
-    NewtonMonitor newton({1e-6, 3, 0.1});
+    Mesh one_node;
+    one_node.coordinates = {0, 0};
+    const DofMap dofs(one_node);
+    NewtonMonitor newton({1e-6, 3, 0.1}, dofs);
     newton.start();
     EXPECT_FALSE(newton.converged(Eigen::Vector2d(1, 0), 1, 0));
     EXPECT_FALSE(newton.slow());
@@ -67,7 +70,9 @@ TEST(NewtonMonitor, JudgesContractionAndConvergence)
     EXPECT_TRUE(newton.converged(Eigen::Vector2d(1e-7, 0), 1, 0));
     EXPECT_TRUE(newton.exhausted());
     newton.start();
-    EXPECT_FALSE(newton.converged(Eigen::Vector2d(NAN, 0), 1, 0));
+    EXPECT_FALSE(newton.converged(Eigen::Vector2d(0, NAN), 1, 0));
+    EXPECT_TRUE(newton.broken());
+    EXPECT_EQ(newton.worst(), 1);
 }
 
 } // namespace

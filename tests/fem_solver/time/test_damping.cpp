@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rayleigh damping: the first mode of the gate decays with the ratio (eta w + m/w)/2, and the loss is what is booked.
+#include "fem_solver/solve/band_solver.hpp"
 #include "fem_solver/time/solid_step.hpp"
 #include "tests/fem_solver/support/gate.hpp"
 #include "tests/fem_solver/support/record.hpp"
@@ -21,7 +22,7 @@ Mode first_mode(const Gate& gate)
 {
     Matrix stiffness = gate.forces.initial_stiffness();
     gate.supports.clear(stiffness, stiffness.diagonal().mean());
-    LinearSolver solver;
+    BandSolver solver;
     solver.factorise(stiffness);
     Eigen::VectorXd x = Eigen::VectorXd::Ones(stiffness.rows());
     for (int i = 0; i < 30; ++i) {

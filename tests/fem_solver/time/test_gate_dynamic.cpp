@@ -3,7 +3,6 @@
 #include "fem_solver/time/solid_step.hpp"
 #include "tests/fem_solver/support/gate.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,54 +11,6 @@ namespace {
 
 using namespace fem;
 using namespace fem_test;
-
-/// The first three natural frequencies [Hz], by subspace iteration on K x = w^2 M x.
-Eigen::Vector3d frequencies(const Gate& gate)
-{
-    Matrix stiffness = gate.forces.initial_stiffness(), mass = gate.forces.mass();
-    gate.supports.clear(stiffness, stiffness.diagonal().mean());
-    gate.supports.clear(mass, 0);
-    LinearSolver solver;
-    solver.factorise(stiffness);
-    Eigen::MatrixXd x = Eigen::MatrixXd::Random(mass.rows(), 8);
-    Eigen::VectorXd values;
-    for (int i = 0; i < 12; ++i) {
-        for (int j = 0; j < x.cols(); ++j) x.col(j) = solver.solve(mass * x.col(j));
-        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(x.transpose() * (stiffness * x),
-                                                                        x.transpose() * (mass * x));
-        x *= small.eigenvectors();
-        values = small.eigenvalues();
-    }
-    return values.head(3).cwiseSqrt() / (2 * M_PI);
-}
-
-TEST(GateModes, QuadraticElements)
-{
-    const Eigen::Vector3d f = frequencies(Gate(ElementType::quad8, rubber()));
-    EXPECT_NEAR(f[0] / 14.740, 1, 0.01);
-    EXPECT_NEAR(f[1] / 90.386, 1, 0.01);
-    EXPECT_NEAR(f[2] / 244.997, 1, 0.01);
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad8, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.01);
-}
-
-TEST(GateModes, NearlyIncompressibleWithAPressureField)
-{
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad9, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.01);
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad9, rubber(12e6, 0.49999)))[0], 15.7, 0.1); // 15.6 to 15.8
-    const Gate six(ElementType::tri6, rubber(12e6, 0.499), {false, Formulation::mixed});
-    EXPECT_NEAR(frequencies(six)[0] / 15.63, 1, 0.02);
-}
-
-TEST(GateModes, LinearElementsWithAndWithoutTheirCure)
-{
-    const Eigen::Vector3d f = frequencies(Gate(ElementType::quad4, rubber()));
-    EXPECT_NEAR(f[0] / 14.740, 1, 0.02);
-    EXPECT_NEAR(f[1] / 90.386, 1, 0.02);
-    EXPECT_NEAR(f[2] / 244.997, 1, 0.02);
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.02);
-    EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499), {false, Formulation::standard}))[0], 47.2,
-                0.5); // locked
-}
 
 /// The water's pressure switched on at t = 0. References: a converged finite element solution.
 TEST(GateSudden, FollowsTheConvergedMotion)

@@ -151,7 +151,7 @@ TEST(GateStatic, AMotionThatStartsInEquilibriumStaysThere)
     const auto water = [](const double* x) { return 1000 * 9.81 * (0.14 - x[1]); };
     gate.forces.add_load(make_follower_pressure(gate.mesh, gate.forces.pattern(), gate.mesh.faces("left"), water),
                          "water", [](double t) { return t < 0.01 ? 1.0 : 0.0; });
-    StaticSolution solution(gate.mesh, gate.forces, gate.supports, {1e-11, 25, 0.1}, LoadTime::start);
+    StaticSolution solution(gate.mesh, gate.forces, gate.supports, {{1e-11, 25, 0.1}, {}, LoadTime::start});
     Motion motion = Motion::at_rest(gate.forces.dofs());
     solution.solve(motion, 4, [](double) {});
     const double settled = motion.displacement[gate.tip];
