@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupler_lib/base/expression.hpp"
+#include "coupler_lib/base/triangle_mesh.hpp"
 
 #include <Eigen/Core>
 
@@ -56,9 +57,19 @@ std::unique_ptr<Ground> make_height_ground(std::unique_ptr<HeightField> height, 
 /// A formula of x (and y in 3D); derivatives by central differences of fourth order over `step` [m].
 std::unique_ptr<HeightField> make_height_formula(const Formula& formula, int dimension, double step);
 
-/// A table with the columns x[m], (y[m],) height[m] on a regular lattice, in any order: cubic convolution between the points
-/// (R. G. Keys, IEEE Trans. ASSP 29 (1981) 1153-1160), which has continuous slopes; outside, the border's height.
+/// Heights on a regular lattice: cubic convolution between the points (R. G. Keys, IEEE Trans. ASSP 29 (1981) 1153-1160),
+/// which has continuous slopes; outside, the border's height. A CSV file has the columns x[m], (y[m],) height[m] in any
+/// order; an HDF5 file (.h5, .hdf5) the datasets x, (y,) of the places along each axis and height, a row for each x.
 /// \throws Error bad_input for points that are no full lattice of at least 2 a direction.
 std::unique_ptr<HeightField> make_height_table(const std::string& path, int dimension);
+
+/// Triangles whose normals point out of the ground, closed or open: the signed distance to the nearest of them. Around
+/// convex edges and corners the ground is rounded as the distance is, so that the normal is continuous outside; a point
+/// that comes nearest to the rim of an open surface is beyond it and touches nothing.
+/// \param what begins messages. \throws Error bad_input for an edge that three triangles share, or no triangle.
+std::unique_ptr<Ground> make_surface_ground(TriangleMesh mesh, const std::string& what);
+
+/// The same in 2D, from a CSV file with the columns x[m], y[m]: points along a line that has the ground on its right.
+std::unique_ptr<Ground> make_polyline_ground(const std::string& path);
 
 } // namespace base

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/base/csv_table.hpp"
 #include "coupler_lib/base/ground.hpp"
+#include "coupler_lib/base/hdf5_reader.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
 #include <algorithm>
@@ -95,11 +96,34 @@ private:
     std::vector<double> heights_;
 };
 
+/// An HDF5 file's heights as a table of one row for each place.
+CsvTable read_lattice(const std::string& path, int dimension)
+{
+    const Hdf5Reader file(path);
+    const auto read = [&](const char* name) {
+        require_input(file.has(name), path, ": no dataset '", name, "'; heights need x, ", dimension == 3 ? "y, " : "",
+                      "and height");
+        return file.rows(name);
+    };
+    const Hdf5Rows x = read("x"), y = dimension == 3 ? read("y") : Hdf5Rows{{0.0}, 1, 1}, height = read("height");
+    require_input(height.rows == x.values.size() && height.columns == y.values.size(), path, ": height has ",
+                  height.rows, " x ", height.columns, " entries, the places are ", x.values.size(), " along x and ",
+                  y.values.size(), " along y");
+    CsvTable table{path, {"x[m]", "y[m]", "height[m]"}, {{}, {}, height.values}};
+    for (const double at_x : x.values)
+        for (const double at_y : y.values) {
+            table.columns[0].push_back(at_x);
+            table.columns[1].push_back(at_y);
+        }
+    return table;
+}
+
 } // namespace
 
 std::unique_ptr<HeightField> make_height_table(const std::string& path, int dimension)
 {
-    return std::make_unique<HeightTable>(read_csv(path), dimension);
+    const bool hdf5 = path.ends_with(".h5") || path.ends_with(".hdf5");
+    return std::make_unique<HeightTable>(hdf5 ? read_lattice(path, dimension) : read_csv(path), dimension);
 }
 
 } // namespace base

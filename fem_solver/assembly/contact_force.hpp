@@ -4,7 +4,16 @@
 #include "fem_solver/dofs/motion.hpp"
 #include "fem_solver/dofs/sparse_matrix.hpp"
 
+#include <string>
+
 namespace fem {
+
+/// How an augmentation went.
+enum class Augmentation {
+    settled,  ///< nothing changed that counts
+    again,    ///< equilibrium must be sought anew
+    unsettled ///< and that has gone on for too long
+};
 
 /// Contact of the body with what it may touch. Its multipliers stand still while Newton's method finds an equilibrium with
 /// them; `augment` then brings them nearer to the truth. Nothing is forgotten or kept unless a step is accepted.
@@ -21,9 +30,10 @@ public:
                            Eigen::VectorXd& friction) const = 0;
     /// Adds -d(force)/du to `matrix`.
     virtual void add_tangent(const Motion& motion, double time, Matrix& matrix) const = 0;
-    /// Takes the forces of an equilibrium for the new multipliers. \return whether that changed anything that counts, so
-    /// that equilibrium must be sought again. \throws base::Error numerical_failure when it goes on for too long.
-    virtual bool augment(const Motion& motion, double time) = 0;
+    /// Takes the forces of an equilibrium for the new multipliers. Collective.
+    virtual Augmentation augment(const Motion& motion, double time) = 0;
+    /// What does not settle, where and by how much, in words.
+    virtual std::string complaint() const = 0;
     /// The step ends here.
     virtual void accept(const Motion& motion, double time) = 0;
 };
@@ -35,7 +45,8 @@ public:
     void restore() override {}
     void add_force(const Motion&, double, Eigen::VectorXd&, Eigen::VectorXd&) const override {}
     void add_tangent(const Motion&, double, Matrix&) const override {}
-    bool augment(const Motion&, double) override { return false; }
+    Augmentation augment(const Motion&, double) override { return Augmentation::settled; }
+    std::string complaint() const override { return ""; }
     void accept(const Motion&, double) override {}
 };
 

@@ -10,8 +10,9 @@ base::Table<ContactConfig> contact_table()
         .key("ground", &ContactConfig::ground,
              {.doc = "plane: through a point; formula: height over x (3D: x, y); table: the same from a file. The "
                      "solid side "
-                     "of a height is below it",
-              .choices = {"plane", "formula", "table"}})
+                     "of a height is below it. surface: triangles from an STL file (2D: a line of points from a CSV "
+                     "file), which end where they end",
+              .choices = {"plane", "formula", "table", "surface"}})
         .key("point", &ContactConfig::point, {.unit = "m", .doc = "plane: on it; empty: the origin"})
         .key("normal", &ContactConfig::normal,
              {.unit = "-", .doc = "plane: out of the ground, of any length; empty: upwards (2D: y, 3D: z)"})
@@ -19,8 +20,11 @@ base::Table<ContactConfig> contact_table()
         .key("derivative_step", &ContactConfig::derivative_step,
              {.unit = "m", .doc = "formula: of its differences; short against its waves", .positive = true})
         .key("file", &ContactConfig::file,
-             {.doc =
-                  "table: CSV with x[m], (y[m],) height[m] on a regular lattice; a path from the folder of this file"})
+             {.doc = "table: CSV with x[m], (y[m],) height[m] on a regular lattice, or HDF5 with the datasets x, (y,) "
+                     "height; surface: STL whose normals point out of the ground, in 2D CSV with x[m], y[m] along a "
+                     "line that has the ground on its right; a path from the folder of this file"})
+        .key("scale", &ContactConfig::scale,
+             {.unit = "m", .doc = "surface: one unit of the STL file, which has none of its own", .positive = true})
         .key("ux", &ContactConfig::ux,
              {.unit = "m",
               .doc = "displacement of the ground along x, a formula of the time t [s] (static: of the load factor)"})

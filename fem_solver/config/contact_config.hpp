@@ -16,7 +16,8 @@ struct ContactConfig {
     std::vector<double> point, normal; // plane
     base::Formula height{"0"};         // formula
     double derivative_step = 1e-5;     // formula
-    std::string file;                  // table
+    std::string file;                  // table, surface
+    double scale = 1;                  // surface
     base::Formula ux{"0"}, uy{"0"}, uz{"0"};
     double friction = 0;
     std::string formulation = "automatic";

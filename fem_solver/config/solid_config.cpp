@@ -125,8 +125,10 @@ void check_contact(ContactConfig& contact, const base::ConfigReader& reader, con
     }
     require_size(reader, contact.point, path + ".point", dimension);
     require_size(reader, contact.normal, path + ".normal", dimension);
-    if (contact.ground != "table") return;
-    base::require_input(!contact.file.empty(), reader.where(path), ": a ground from a table needs file = \"FILE.csv\"");
+    if (contact.ground != "table" && contact.ground != "surface") return;
+    base::require_input(!contact.file.empty(), reader.where(path), ": ground = \"", contact.ground,
+                        "\" needs file = \"", contact.ground == "surface" && dimension == 3 ? "FILE.stl" : "FILE.csv",
+                        "\"");
     contact.file = beside(reader, contact.file);
 }
 

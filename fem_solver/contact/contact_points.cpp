@@ -43,6 +43,14 @@ std::vector<ContactPoint> integration_points_of(const Mesh& mesh, const std::vec
     return points;
 }
 
+/// The first node of a face whose function has an integral: the corners of flat six-node triangles have none.
+template<class FaceShape> constexpr std::size_t first_with_area = std::is_same_v<FaceShape, Tri6> ? 3 : 0;
+
+template<class FaceShape> std::vector<int> nodes_with_area(const std::vector<int>& nodes)
+{
+    return {nodes.begin() + first_with_area<FaceShape>, nodes.end()};
+}
+
 template<class FaceShape>
 std::vector<ContactPoint> nodal_points_of(const Mesh& mesh, const std::vector<MeshFace>& faces)
 {
@@ -52,9 +60,10 @@ std::vector<ContactPoint> nodal_points_of(const Mesh& mesh, const std::vector<Me
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const std::vector<int> nodes = mesh.face_nodes(faces[f]);
         integrate<FaceShape>(mesh, nodes, still, [&](const auto& values, double area) {
-            for (std::size_t a = 0; a < nodes.size(); ++a) of_node[nodes[a]].area += values[static_cast<int>(a)] * area;
+            for (std::size_t a = first_with_area<FaceShape>; a < nodes.size(); ++a)
+                of_node[nodes[a]].area += values[static_cast<int>(a)] * area;
         });
-        for (const int node : nodes) {
+        for (const int node : nodes_with_area<FaceShape>(nodes)) {
             ContactPoint& point = of_node[node];
             point.faces.push_back(static_cast<int>(f));
             point.size = std::max(point.size, length_of(areas[f], mesh.dimension));
@@ -62,7 +71,6 @@ std::vector<ContactPoint> nodal_points_of(const Mesh& mesh, const std::vector<Me
     }
     std::vector<ContactPoint> points;
     for (auto& [node, point] : of_node) {
-        if (point.area < 1e-6 * std::pow(point.size, mesh.dimension - 1)) continue;
         point.nodes = {node};
         point.values = {1.0};
         point.own = node < mesh.own_nodes();

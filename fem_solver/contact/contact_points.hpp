@@ -21,7 +21,7 @@ struct ContactPoint {
 
 /// Points of a group of faces: the nodes, each with the area A_a = sum of the integrals of N_a over its faces, which gives
 /// a uniform pressure its exact nodal forces. One condition a node is what the surface can meet on a curved ground as
-/// well. Corners of six-node triangles have no area and are left out. Faces of eight nodes (hexa20), whose corners have
+/// well. Corners of six-node triangles, which have no area where the face is flat, are left out. Faces of eight nodes (hexa20), whose corners have
 /// a negative area, take their 2 x 2 integration points instead.
 std::vector<ContactPoint> contact_points(const Mesh& mesh, const std::vector<MeshFace>& faces);
 

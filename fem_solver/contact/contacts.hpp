@@ -29,11 +29,18 @@ public:
     {
         for (const auto& contact : all_) contact->add_tangent(motion, time, matrix);
     }
-    bool augment(const Motion& motion, double time) override
+    Augmentation augment(const Motion& motion, double time) override
     {
-        bool again = false;
-        for (auto& contact : all_) again = contact->augment(motion, time) || again;
-        return again;
+        Augmentation worst = Augmentation::settled;
+        for (auto& contact : all_) worst = std::max(worst, contact->augment(motion, time));
+        return worst;
+    }
+    std::string complaint() const override
+    {
+        std::string all;
+        for (const auto& contact : all_)
+            if (const std::string one = contact->complaint(); !one.empty()) all += (all.empty() ? "" : "; ") + one;
+        return all;
     }
     void accept(const Motion& motion, double time) override
     {

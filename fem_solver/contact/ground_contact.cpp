@@ -6,13 +6,13 @@
 namespace fem {
 
 GroundContact::GroundContact(const Mesh& mesh, const MatrixPattern& pattern, std::shared_ptr<const base::Ground> ground,
-                             ContactSettings settings)
+                             ContactSettings settings, std::vector<ContactPoint> points)
     : mesh_(&mesh),
       pattern_(&pattern),
       ground_(std::move(ground)),
       settings_(std::move(settings)),
       faces_(mesh.faces(settings_.group)),
-      points_(contact_points(mesh, faces_)),
+      points_(std::move(points)),
       reference_areas_(face_areas(mesh, faces_, Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)))),
       accepted_(points_.size()),
       now_(points_.size())
@@ -34,6 +34,7 @@ void GroundContact::restore()
 {
     for (std::size_t k = 0; k < points_.size(); ++k) now_[k] = accepted_[k].multipliers;
     augmentations_ = 0;
+    complaint_.clear();
 }
 
 void GroundContact::add_force(const Motion& motion, double time, Eigen::VectorXd& normal,
@@ -58,9 +59,9 @@ void GroundContact::add_tangent(const Motion& motion, double time, Matrix& matri
     });
 }
 
-bool GroundContact::augment(const Motion& motion, double time)
+Augmentation GroundContact::augment(const Motion& motion, double time)
 {
-    if (!settings_.augmented) return false;
+    if (!settings_.augmented) return Augmentation::settled;
     std::vector<Multipliers> next(points_.size());
     visit(motion, time, [&](std::size_t k, const base::GroundPoint&, const ContactTraction& traction) {
         next[k] = {traction.pressure, traction.friction};
@@ -73,9 +74,10 @@ bool GroundContact::augment(const Motion& motion, double time)
         worst = std::max(worst, off);
     }
     now_ = std::move(next);
-    if (!mesh_->team().any(worst > 1)) return false;
-    require_patience(motion, time, where, worst);
-    return true;
+    if (!mesh_->team().any(worst > 1)) return Augmentation::settled;
+    if (++augmentations_ <= settings_.max_augmentations) return Augmentation::again;
+    complain(motion, time, where, worst);
+    return Augmentation::unsettled;
 }
 
 void GroundContact::accept(const Motion& motion, double time)
@@ -204,9 +206,8 @@ double GroundContact::miss(std::size_t k, const Multipliers& next) const
     return std::max(gap, slid) / (settings_.tolerance * points_[k].size);
 }
 
-void GroundContact::require_patience(const Motion& motion, double time, std::size_t where, double worst)
+void GroundContact::complain(const Motion& motion, double time, std::size_t where, double worst)
 {
-    if (++augmentations_ <= settings_.max_augmentations) return;
     std::string left;
     if (worst > 1) {
         const Eigen::Vector3d x = position(points_[where], motion);
@@ -214,11 +215,9 @@ void GroundContact::require_patience(const Motion& motion, double time, std::siz
                           " times the tolerated, at node ", mesh_->node_id(points_[where].nodes[0]), ", position (",
                           x[0], ", ", x[1], ", ", x[2], ") m");
     }
-    throw base::Error(base::ExitCode::numerical_failure,
-                      base::text("the contact of the group '", settings_.group, "' did not settle in ",
-                                 settings_.max_augmentations, " augmentations at t = ", time, " s: ",
-                                 mesh_->team().first_text(left), ". Try a larger penalty_factor, a smaller step, ",
-                                 "a finer mesh, or more max_augmentations"));
+    complaint_ = base::text("has a contact, group '", settings_.group, "', that did not settle in ",
+                            settings_.max_augmentations, " augmentations at t = ", time, " s: ",
+                            mesh_->team().first_text(left));
 }
 
 } // namespace fem

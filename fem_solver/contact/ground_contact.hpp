@@ -28,16 +28,17 @@ struct ContactSettings {
 /// contact_traction.
 class GroundContact final : public ContactForce {
 public:
-    /// \param mesh, pattern outlive the contact.
+    /// \param mesh, pattern outlive the contact. \param points contact_points of the group's faces.
     GroundContact(const Mesh& mesh, const MatrixPattern& pattern, std::shared_ptr<const base::Ground> ground,
-                  ContactSettings settings);
+                  ContactSettings settings, std::vector<ContactPoint> points);
 
     double stiffness() const override;
     void restore() override;
     void add_force(const Motion& motion, double time, Eigen::VectorXd& normal,
                    Eigen::VectorXd& friction) const override;
     void add_tangent(const Motion& motion, double time, Matrix& matrix) const override;
-    bool augment(const Motion& motion, double time) override;
+    Augmentation augment(const Motion& motion, double time) override;
+    std::string complaint() const override { return complaint_; }
     void accept(const Motion& motion, double time) override;
 
     const std::string& group() const { return settings_.group; }
@@ -59,7 +60,7 @@ private:
     template<class Action> void visit(const Motion& motion, double time, Action&& action) const;
     void add(const ContactPoint& point, const Eigen::Vector3d& traction, Eigen::VectorXd& force) const;
     double miss(std::size_t k, const Multipliers& next) const;
-    void require_patience(const Motion& motion, double time, std::size_t where, double worst);
+    void complain(const Motion& motion, double time, std::size_t where, double worst);
 
     const Mesh* mesh_;
     const MatrixPattern* pattern_;
@@ -71,6 +72,7 @@ private:
     std::vector<State> accepted_;
     std::vector<Multipliers> now_;
     int augmentations_ = 0;
+    std::string complaint_;
 };
 
 } // namespace fem

@@ -39,6 +39,8 @@ std::string describe(const Failure& failure, const Mesh& mesh, const Motion& mot
         return "has a singular matrix: the supports do not hold the body against every rigid motion" +
                (farthest.empty() ? "" : "; what moves farthest is " + farthest);
     }
+    case Failure::Kind::unsettled:
+        return failure.complaint;
     case Failure::Kind::not_a_number:
         return "has forces that are not numbers at " + where(newton.worst());
     case Failure::Kind::no_convergence:

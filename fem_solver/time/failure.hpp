@@ -15,11 +15,13 @@ struct Failure {
         no_convergence, ///< residuals that do not fall
         inversion,      ///< an element turned inside out, whatever part of a correction is taken
         unheld,         ///< a singular matrix: the body moves without resistance
+        unsettled,      ///< contact that finds no end
         not_a_number    ///< forces that are not numbers
     };
     Kind kind = Kind::no_convergence;
     Inversion inversion = {}; ///< of kind inversion
     int node = -1; ///< of kind unheld: the one that moves farthest, -1 when it is not known or on another rank
+    std::string complaint = {}; ///< of kind unsettled: in words
 };
 
 /// The failure in words: what happened, at which node or element, where that is in the reference state, and how far it

@@ -106,10 +106,13 @@ bool SolidStep::iterate(Motion& motion, Predictor predictor, double dt)
 {
     model_.contact().restore();
     predict(motion, predictor, dt);
-    do {
+    for (;;) {
         if (!solve(motion, dt)) return false;
-    } while (model_.contact().augment(motion, time_ + dt));
-    return true;
+        const Augmentation contact = model_.contact().augment(motion, time_ + dt);
+        if (contact == Augmentation::settled) return true;
+        if (contact == Augmentation::unsettled)
+            return fails({Failure::Kind::unsettled, {}, -1, model_.contact().complaint()});
+    }
 }
 
 /// Newton's iteration with the contact's present multipliers.

@@ -15,6 +15,8 @@ constexpr double unheld = 1e6;
 const char* advice(Failure::Kind kind)
 {
     if (kind == Failure::Kind::unheld) return "Add supports, or springs, that hold the body";
+    if (kind == Failure::Kind::unsettled)
+        return "Try a larger penalty_factor, more load_steps, a finer mesh, or more max_augmentations";
     if (kind == Failure::Kind::not_a_number) return "Check the formulas of the loads, the moduli and the density";
     return "Check supports and loads, raise the load in more steps ([analysis] load_steps), or refine the mesh there";
 }
@@ -74,9 +76,12 @@ void StaticSolution::raise(Motion& motion, int step, int load_steps)
 bool StaticSolution::equilibrate(Motion& motion, double factor)
 {
     model_.contact().restore();
-    do {
+    for (Augmentation contact = Augmentation::again; contact != Augmentation::settled;) {
         if (!solve(motion, factor)) return false;
-    } while (model_.contact().augment(motion, time(factor)));
+        contact = model_.contact().augment(motion, time(factor));
+        if (contact == Augmentation::unsettled)
+            return fails({Failure::Kind::unsettled, {}, -1, model_.contact().complaint()});
+    }
     model_.contact().accept(motion, time(factor));
     return true;
 }

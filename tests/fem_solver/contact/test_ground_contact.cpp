@@ -38,7 +38,8 @@ struct Block {
         settings.constants.tangential_penalty = settings.constants.normal_penalty;
         settings.constants.friction = friction;
         settings.tolerance = 1e-9;
-        auto made = std::make_unique<GroundContact>(mesh, forces.pattern(), std::move(ground), settings);
+        auto made = std::make_unique<GroundContact>(mesh, forces.pattern(), std::move(ground), settings,
+                                                    contact_points(mesh, mesh.faces(group)));
         contact = made.get();
         forces.set_contact(std::move(made));
     }
@@ -170,7 +171,8 @@ TEST(GroundContact, MovingGroundCarriesABlock)
     settings.augmented = false;
     settings.ground_motion = [](double t) { return Eigen::Vector3d(0.5 * t * t, 0, 0); }; // 1 m/s^2 < mu g
     auto contact = std::make_unique<GroundContact>(block.mesh, block.forces.pattern(),
-                                                   base::make_plane({0, 0, 0}, {0, 1, 0}), settings);
+                                                   base::make_plane({0, 0, 0}, {0, 1, 0}), settings,
+                                                   contact_points(block.mesh, block.mesh.faces("bottom")));
     block.forces.set_contact(std::move(contact));
     block.forces.set_gravity({0, -9.81});
     Motion motion = Motion::at_rest(block.forces.dofs());
