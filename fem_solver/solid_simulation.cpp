@@ -55,6 +55,7 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
       motion_(Motion::at_rest(model_.forces().dofs()))
 {
     step_.report_to([&](const std::string& line) { session_.log().warn(line); });
+    report_cut();
     report_stability();
     const std::string locking = locking_warning(model_.mesh().type, config);
     if (!locking.empty()) session_.log().warn("elements: " + locking);
@@ -65,6 +66,18 @@ SolidSimulation::SolidSimulation(const SolidConfig& config, coupler::Session& se
         base::require_input(config.time.dt > 0 && config.time.end > 0, "[time] dt = ", config.time.dt,
                             " s and end = ", config.time.end, " s: a solid that runs alone needs both above zero");
     }
+}
+
+void SolidSimulation::report_cut() const
+{
+    const Mesh& mesh = model_.mesh();
+    const Team& team = mesh.team();
+    if (team.size() == 1) return;
+    const double mean = team.sum(static_cast<double>(mesh.own_elements())) / team.size();
+    const double most = team.max(static_cast<double>(mesh.own_elements()));
+    const double held = team.sum(static_cast<double>(mesh.elements())) / team.size();
+    session_.log().info(base::text("cut for ", team.size(), " ranks: ", mean, " elements each, at most ", most,
+                                   "; copies along the cut make ", 100 * (held / mean - 1), " % more"));
 }
 
 void SolidSimulation::report_stability() const
@@ -124,8 +137,8 @@ void SolidSimulation::run_modal()
     if (const double part = loaded ? asymmetry(forces, motion_) : 0; part > 1e-6)
         session_.log().warn(base::text("follower loads make the tangent unsymmetric, by ", part,
                                        " of its largest entry: the modes are those of its symmetric part"));
-    const auto modes = find_modes(model_.mesh(), forces, model_.supports(), motion_, loaded ? 1 : 0,
-                                  config_.analysis.modes);
+    const auto modes =
+        find_modes(model_.mesh(), forces, model_.supports(), motion_, loaded ? 1 : 0, config_.analysis.modes);
     for (std::size_t i = 0; i < modes.size(); ++i)
         session_.log().info(base::text("mode ", i + 1, ": ", modes[i].frequency(), " Hz"));
     if (session_.is_root()) write_modes(session_.own_dir(), model_.mesh().dimension, modes);
@@ -155,8 +168,8 @@ void SolidSimulation::settle()
     solution.report_to([&](const std::string& line) { session_.log().warn(line); });
     solution.solve(motion_, config_.analysis.load_steps, [](double) {});
     session_.log().info(base::text("initial equilibrium: largest displacement ",
-                                   model_.forces().map().largest(motion_.displacement), " m, after ", solution.iterations(),
-                                   " iterations"));
+                                   model_.forces().map().largest(motion_.displacement), " m, after ",
+                                   solution.iterations(), " iterations"));
 }
 
 void SolidSimulation::run_alone()

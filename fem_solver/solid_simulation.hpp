@@ -22,6 +22,7 @@ public:
     void run();
 
 private:
+    void report_cut() const;
     void report_stability() const;
     void run_static();
     void run_modal();

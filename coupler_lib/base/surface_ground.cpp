@@ -137,8 +137,8 @@ private:
         GroundPoint ground;
         ground.gap = sign * d;
         ground.normal = ground.gap_slope = sign / d * way;
-        ground.normal_slope = sign / d *
-                              (Eigen::Matrix3d::Identity() - ground.normal * ground.normal.transpose() - t * t.transpose());
+        ground.normal_slope =
+            sign / d * (Eigen::Matrix3d::Identity() - ground.normal * ground.normal.transpose() - t * t.transpose());
         return ground;
     }
 
@@ -165,8 +165,8 @@ std::unique_ptr<Ground> make_polyline_ground(const std::string& path)
     for (const double height : y) depth = std::max(depth, std::abs(height - y[0]));
     std::vector<Simplex<3>> strip;
     for (std::size_t k = 1; k < x.size(); ++k) {
-        require_input(x[k] != x[k - 1] || y[k] != y[k - 1], path, ": the points ", k, " and ", k + 1, " are the same, (",
-                      x[k], ", ", y[k], ") m");
+        require_input(x[k] != x[k - 1] || y[k] != y[k - 1], path, ": the points ", k, " and ", k + 1,
+                      " are the same, (", x[k], ", ", y[k], ") m");
         const auto corner = [&](std::size_t i, double z) { return Eigen::Vector3d(x[i], y[i], z); };
         strip.push_back({corner(k - 1, depth), corner(k, depth), corner(k, -depth)});
         strip.push_back({corner(k - 1, depth), corner(k, -depth), corner(k - 1, -depth)});

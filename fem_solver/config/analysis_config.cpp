@@ -71,15 +71,13 @@ base::Table<LinearSolverConfig> linear_solver_table()
 {
     return base::Table<LinearSolverConfig>("the systems of linear equations")
         .key("method", &LinearSolverConfig::method,
-             {.doc = "automatic: banded on one rank where the body is slender, else mumps; banded, sparse: direct, on "
-                     "one rank; mumps: direct, on any number of ranks; gamg, hypre: GMRES with algebraic multigrid, for "
-                     "large bodies in 3D",
+             {.doc =
+                  "automatic: banded on one rank where the body is slender, else mumps; banded, sparse: direct, on "
+                  "one rank; mumps: direct, on any number of ranks; gamg, hypre: GMRES with algebraic multigrid, for "
+                  "large bodies in 3D",
               .choices = {"automatic", "banded", "sparse", "mumps", "gamg", "hypre"}})
         .key("tolerance", &LinearSolverConfig::tolerance,
-             {.unit = "-",
-              .doc = "gamg, hypre: residual over right-hand side",
-              .max = 1e-3,
-              .positive = true})
+             {.unit = "-", .doc = "gamg, hypre: residual over right-hand side", .max = 1e-3, .positive = true})
         .key("options", &LinearSolverConfig::options,
              {.doc = "of PETSc, for experts, with the prefix solver_: \"-solver_ksp_monitor -solver_pc_gamg_threshold "
                      "0.02\""});

@@ -215,9 +215,9 @@ void GroundContact::complain(const Motion& motion, double time, std::size_t wher
                           " times the tolerated, at node ", mesh_->node_id(points_[where].nodes[0]), ", position (",
                           x[0], ", ", x[1], ", ", x[2], ") m");
     }
-    complaint_ = base::text("has a contact, group '", settings_.group, "', that did not settle in ",
-                            settings_.max_augmentations, " augmentations at t = ", time, " s: ",
-                            mesh_->team().first_text(left));
+    complaint_ =
+        base::text("has a contact, group '", settings_.group, "', that did not settle in ", settings_.max_augmentations,
+                   " augmentations at t = ", time, " s: ", mesh_->team().first_text(left));
 }
 
 } // namespace fem

@@ -21,7 +21,9 @@ struct Entries {
 } // namespace
 
 DofMap::DofMap(const Mesh& mesh)
-    : mesh_(&mesh), own_(static_cast<Eigen::Index>(mesh.own_nodes()) * mesh.dimension), equations_(mesh.coordinates.size())
+    : mesh_(&mesh),
+      own_(static_cast<Eigen::Index>(mesh.own_nodes()) * mesh.dimension),
+      equations_(mesh.coordinates.size())
 {
     if (team().comm()) make_scatter();
     number();

@@ -24,7 +24,8 @@ std::map<std::int64_t, std::vector<double>> collect(const Team& team, const std:
 }
 
 /// The values of the wanted items, one after the other; nothing where nobody has any.
-std::vector<double> pick(const std::map<std::int64_t, std::vector<double>>& all, const std::vector<std::int64_t>& wanted)
+std::vector<double> pick(const std::map<std::int64_t, std::vector<double>>& all,
+                         const std::vector<std::int64_t>& wanted)
 {
     std::vector<double> values;
     if (all.empty()) return values;

@@ -147,8 +147,8 @@ double asymmetry(const SolidForces& forces, const Motion& state)
     return dofs.team().max(worst) / dofs.team().max(largest);
 }
 
-std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                             const Motion& state, double load_factor, int count)
+std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const Motion& state,
+                             double load_factor, int count)
 {
     const DofMap& dofs = forces.map();
     double free = 0;

@@ -17,8 +17,8 @@ namespace fem {
 ///
 /// \param load_factor of the loads that hold the state, 0: unloaded. \param count how many modes. Collective. \throws base::Error bad_input when the body has fewer; numerical_failure when
 /// they do not converge.
-std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports,
-                             const Motion& state, double load_factor, int count);
+std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const Supports& supports, const Motion& state,
+                             double load_factor, int count);
 
 /// Largest |K_ij - K_ji| over the largest |K_ij| of the tangent of a loaded state: what follower loads bring to it.
 /// Collective.

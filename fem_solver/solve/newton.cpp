@@ -13,10 +13,7 @@ bool NewtonMonitor::converged(const Eigen::VectorXd& residual, double force, dou
     return largest.value <= settings_.tolerance * force + round_off; // false for what is not a number
 }
 
-bool NewtonMonitor::broken() const
-{
-    return residuals_.back() > std::numeric_limits<double>::max();
-}
+bool NewtonMonitor::broken() const { return residuals_.back() > std::numeric_limits<double>::max(); }
 
 bool NewtonMonitor::slow() const
 {

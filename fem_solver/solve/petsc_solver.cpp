@@ -13,7 +13,8 @@ constexpr const char* prefix = "solver_";
 
 void add_options(const std::string& options)
 {
-    base::require_input(PetscOptionsInsertString(nullptr, options.c_str()) == 0, "[linear_solver] options = \"", options,
+    base::require_input(PetscOptionsInsertString(nullptr, options.c_str()) == 0, "[linear_solver] options = \"",
+                        options,
                         "\": PETSc cannot read them; write them as on its command line, \"-solver_ksp_monitor\"");
 }
 

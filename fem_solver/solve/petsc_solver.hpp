@@ -14,8 +14,8 @@ namespace fem {
 /// What PETSc solves with.
 struct PetscSettings {
     enum class Method {
-        mumps,      ///< direct, on any number of ranks
-        gmres_gamg, ///< GMRES with algebraic multigrid by aggregation, which knows the body's rigid motions
+        mumps,       ///< direct, on any number of ranks
+        gmres_gamg,  ///< GMRES with algebraic multigrid by aggregation, which knows the body's rigid motions
         gmres_hypre, ///< GMRES with hypre's BoomerAMG
         cg_jacobi    ///< conjugate gradients with the diagonal, for mass matrices
     };

@@ -20,8 +20,8 @@ std::string inverted(const Inversion& inversion, const Mesh& mesh, const Motion&
 {
     if (inversion.element < 0) return "";
     const int node = mesh.connectivity[static_cast<std::size_t>(inversion.element) * mesh.nodes_per_element()];
-    return base::text("turns element ", mesh.element_id(inversion.element), " inside out (det F = ",
-                      inversion.determinant, "), which holds ", place(mesh, motion, node));
+    return base::text("turns element ", mesh.element_id(inversion.element),
+                      " inside out (det F = ", inversion.determinant, "), which holds ", place(mesh, motion, node));
 }
 
 } // namespace

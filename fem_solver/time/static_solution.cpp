@@ -107,7 +107,8 @@ bool StaticSolution::solve(Motion& motion, double factor)
         supports_.clear_rows(residual);
         supports_.clear(matrix, matrix.diagonal().mean());
         if (!factorise(matrix) || !apply(motion, gap - solver_->solve(residual), factor)) return false;
-        if (!there && model_.map().largest(supports_.gap(time(factor), motion.displacement)) > 1e-12) return false; // cut on the way
+        if (!there && model_.map().largest(supports_.gap(time(factor), motion.displacement)) > 1e-12)
+            return false; // cut on the way
         gap.setZero();
     }
 }

@@ -147,7 +147,8 @@ TEST(SurfaceGround, RefusesWhatIsNoSurface)
 {
     const Vector3d a(0, 0, 0), b(1, 0, 0);
     const auto fan = join({{a, b, Vector3d(0, 1, 0)}, {a, b, Vector3d(0, 0, 1)}, {a, b, Vector3d(0, -1, 0)}});
-    EXPECT_NE(error_of([&] { make_surface_ground(fan, "fan.stl"); }).find("3 triangles share the edge"), std::string::npos);
+    EXPECT_NE(error_of([&] { make_surface_ground(fan, "fan.stl"); }).find("3 triangles share the edge"),
+              std::string::npos);
     EXPECT_NE(error_of([] { make_surface_ground({}, "empty.stl"); }).find("empty.stl"), std::string::npos);
 }
 

@@ -32,9 +32,8 @@ struct Block {
         ContactSettings settings;
         settings.group = group;
         settings.augmented = augmented;
-        settings.constants.normal_penalty =
-            10 * surface_stiffness(contact_points(mesh, mesh.faces(group)), forces.initial_stiffness().diagonal(),
-                                   mesh);
+        settings.constants.normal_penalty = 10 * surface_stiffness(contact_points(mesh, mesh.faces(group)),
+                                                                   forces.initial_stiffness().diagonal(), mesh);
         settings.constants.tangential_penalty = settings.constants.normal_penalty;
         settings.constants.friction = friction;
         settings.tolerance = 1e-9;
@@ -170,9 +169,9 @@ TEST(GroundContact, MovingGroundCarriesABlock)
     settings.constants = {1e12, 1e12, 0.5};
     settings.augmented = false;
     settings.ground_motion = [](double t) { return Eigen::Vector3d(0.5 * t * t, 0, 0); }; // 1 m/s^2 < mu g
-    auto contact = std::make_unique<GroundContact>(block.mesh, block.forces.pattern(),
-                                                   base::make_plane({0, 0, 0}, {0, 1, 0}), settings,
-                                                   contact_points(block.mesh, block.mesh.faces("bottom")));
+    auto contact =
+        std::make_unique<GroundContact>(block.mesh, block.forces.pattern(), base::make_plane({0, 0, 0}, {0, 1, 0}),
+                                        settings, contact_points(block.mesh, block.mesh.faces("bottom")));
     block.forces.set_contact(std::move(contact));
     block.forces.set_gravity({0, -9.81});
     Motion motion = Motion::at_rest(block.forces.dofs());

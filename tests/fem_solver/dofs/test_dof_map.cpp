@@ -47,7 +47,8 @@ TEST(CutMesh, GivesEveryNodeAndElementOneOwner)
                                   std::pair(mesh.team().gather_all(elements), whole.elements())}) {
             std::ranges::sort(ids);
             EXPECT_EQ(std::ssize(ids), count);
-            for (std::int64_t i = 0; i < count && i < std::ssize(ids); ++i) EXPECT_EQ(ids[static_cast<std::size_t>(i)], i);
+            for (std::int64_t i = 0; i < count && i < std::ssize(ids); ++i)
+                EXPECT_EQ(ids[static_cast<std::size_t>(i)], i);
         }
         EXPECT_LE(mesh.own_elements(), 1.3 * whole.elements() / mesh.team().size());
         EXPECT_LE(mesh.own_nodes(), 1.3 * whole.nodes() / mesh.team().size());
