@@ -10,6 +10,7 @@ One [[expect]] table a figure:
     operation = "max"                see OPERATIONS below
     function  = "period"             instead of the three above: a function (run, entry) of the case's measure.py, or of
                                      that of the folder above
+    abscissa  = "mode"               the column that stands for the time below, where it is not t
     at = 0.36                        time of value_at [s]
     from = 0.0, until = 0.2          only these times count [s]
     over = 9.61                      divide by a number, or by {file, column, operation} of the same run
@@ -150,7 +151,7 @@ def measure(run: RunFolder, entry: dict) -> float:
     if table is None:
         raise ValueError(f"{entry['file']} is missing or empty")
     columns = entry["column"] if isinstance(entry["column"], list) else [entry["column"]]
-    t, y = table["t"], sum(-table[name[1:]] if name.startswith("-") else table[name] for name in columns)
+    t, y = table[entry.get("abscissa", "t")], sum(-table[name[1:]] if name.startswith("-") else table[name] for name in columns)
     if "at" in entry and not t[0] <= entry["at"] <= t[-1] * (1 + 1e-9) + 1e-9:
         raise ValueError(f"the run ends at t = {t[-1]:.4g} s")
     if entry["operation"] != "rms_to_reference":
