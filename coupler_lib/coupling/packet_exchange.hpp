@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "coupler_lib/coupling/courier.hpp"
 #include "coupler_lib/coupling/packet.hpp"
 
 #include <cstdint>
-#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace coupler {
 
 class Participant;
 
-/// One packet to and one packet from every rank of the partner, directly, with bounded waits. Buffers are kept.
+/// One packet to and one packet from every rank of the partner. Buffers are kept.
 class PacketExchange {
 public:
     /// \param peers       world ranks of the partner, ascending
@@ -32,7 +32,7 @@ public:
 
     /// Waits for one packet of every peer. Throws as Participant::wait_until does. \param what for the message
     void receive_all(const char* what);
-    const std::vector<char>& incoming(std::size_t peer) const { return peers_[peer].incoming; }
+    const std::vector<char>& incoming(std::size_t peer) const { return incoming_[peer]; }
 
     /// Throws base::Error(bad_input), naming both views, unless the packet is what `expected` says: field, sequence (my
     /// own count), step, time, dt and dimension.
@@ -44,23 +44,16 @@ public:
 
 private:
     struct Peer {
-        int rank = 0;
         std::string name;
         PacketWriter outgoing;
-        std::vector<char> incoming;
-        MPI_Request sending = MPI_REQUEST_NULL;
-        MPI_Request receiving = MPI_REQUEST_NULL;
-        bool here = false;
         std::int64_t sent = 0;
         std::int64_t received = 0;
     };
-    bool advance();
-    std::vector<int> missing() const;
-
     Participant& participant_;
+    CourierRoute route_;
+    std::unique_ptr<Courier> courier_;
     std::vector<Peer> peers_;
-    Field send_field_;
-    Field receive_field_;
+    std::vector<std::vector<char>> incoming_;
     double waited_ = 0;
     std::int64_t bytes_sent_ = 0;
     std::int64_t bytes_received_ = 0;

@@ -93,6 +93,19 @@ struct Participant::Parts {
         MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(colour), world_rank, role_comm.put());
         MPI_Comm_dup(MPI_COMM_WORLD, coupling_comm.put());
         comm = base::Communicator(role_comm.get());
+        world_size = static_cast<int>(introductions.size());
+        if (!settings.recorded_role.empty()) add_recorded();
+    }
+
+    /// The ranks of a partner that is not here take the numbers behind the world's.
+    void add_recorded()
+    {
+        Introduction one;
+        one.role = settings.recorded_role;
+        one.host = "a recording";
+        introductions.insert(introductions.end(), static_cast<std::size_t>(settings.recorded_ranks), one);
+        roles.push_back(one.role);
+        std::sort(roles.begin(), roles.end());
     }
 
     void throw_failure_of_others() const
@@ -106,7 +119,7 @@ struct Participant::Parts {
     std::vector<Introduction> introductions;
     ErrorChannel errors;
     std::vector<std::string> roles;
-    int world_rank = 0;
+    int world_rank = 0, world_size = 0;
     OwnedComm role_comm, coupling_comm;
     base::Communicator comm = base::Communicator::self();
     std::int64_t step = -1;
@@ -118,7 +131,7 @@ Participant::Participant(const ParticipantSettings& settings) : parts_(std::make
 {
     std::vector<Neighbour> neighbours;
     const std::string& host = introduction(world_rank()).host;
-    for (int rank = 0; rank < static_cast<int>(parts_->introductions.size()); ++rank)
+    for (int rank = 0; rank < parts_->world_size; ++rank)
         if (rank != world_rank() && introduction(rank).host == host)
             neighbours.push_back({introduction(rank).pid, name_of(rank)});
     parts_->watch.set_neighbours(std::move(neighbours), world_rank());
@@ -163,6 +176,12 @@ std::string Participant::name_of(int rank) const
 {
     const Introduction& one = introduction(rank);
     return base::text("'", one.role, "' (rank ", rank, ", pid ", one.pid, ", host ", one.host, ")");
+}
+
+std::unique_ptr<Courier> Participant::make_courier(const CourierRoute& route)
+{
+    if (parts_->settings.couriers) return parts_->settings.couriers(*this, route);
+    return std::make_unique<MpiCourier>(*this, route);
 }
 
 void Participant::set_clock(std::int64_t step, double time)
@@ -245,7 +264,7 @@ void Participant::report_failure(const base::Error& error) noexcept
         }
         const int other = parts_->errors.failure().from;
         if (other < 0 || other > world_rank()) print_line(line);
-        if (parts_->introductions.size() == 1) return;
+        if (parts_->world_size == 1) return;
         Patience::nap(0.1);
     } else {
         Patience::nap(2.0); // the one that failed ends this process; if it cannot, end it here
@@ -260,7 +279,7 @@ void Participant::await_farewells()
     const auto present = [this] {
         parts_->errors.poll();
         std::vector<int> ranks;
-        for (int rank = 0; rank < static_cast<int>(parts_->introductions.size()); ++rank)
+        for (int rank = 0; rank < parts_->world_size; ++rank)
             if (rank != world_rank() && !parts_->errors.has_left(rank)) ranks.push_back(rank);
         return ranks;
     };

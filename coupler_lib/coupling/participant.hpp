@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "coupler_lib/coupling/courier.hpp"
 #include "coupler_lib/coupling/introduction.hpp"
 #include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/foundation/check.hpp"
@@ -32,6 +33,9 @@ struct ParticipantSettings {
     double handshake_timeout = 30;                      ///< [s]
     double silence_timeout = 300;                       ///< longest wait for a partner [s]
     WaitStyle wait = WaitStyle::automatic;
+    CourierMaker couriers;           ///< instead of MPI alone: records, or replays; empty: MpiCourier
+    std::string recorded_role;       ///< partner whom a recording stands for; empty: partners live
+    int recorded_ranks = 0;          ///< how many it had
 };
 
 /// An error that all ranks agree on and whose message is out already: the catcher prints nothing.
@@ -71,6 +75,9 @@ public:
     [[nodiscard]] std::vector<int> partner_ranks() const;                   ///< of the first partner; empty when alone
     [[nodiscard]] const Introduction& introduction(int world_rank) const;   ///< role, host, pid of any rank
     [[nodiscard]] std::string name_of(int world_rank) const; ///< "'solid' (rank 1, pid 4711, host gauss)"
+
+    /// The way for packets of an interface of mine.
+    [[nodiscard]] std::unique_ptr<Courier> make_courier(const CourierRoute& route);
 
     /// Where the run is; used in messages only.
     void set_clock(std::int64_t step, double time);

@@ -37,6 +37,9 @@ ParsedCommandLine parse_command_line(int argc, char** argv, const std::string& p
         ->type_name("KEY=VALUE");
     app.add_flag("--check", command.check_only,
                  "check all files and the data flow between the participants, then stop");
+    app.add_option("--replay", command.replay,
+                   "run without the partner, on what a run with coupling.record = \"traffic.h5\" wrote of it")
+        ->type_name("traffic.h5");
     app.add_flag("--describe", command.describe, "with --check: print what this participant sends and needs")
         ->group("");
     app.add_flag("--help-config", show_keys, "every key: type, unit, default, range, meaning");

@@ -14,6 +14,7 @@ struct CommandLine {
     std::vector<std::pair<std::string, std::string>> overrides; ///< --set KEY=VALUE, in order
     bool check_only = false;                                    ///< --check
     bool describe = false; ///< --describe: print what the check needs, nothing else
+    std::string replay;    ///< --replay: the recording that stands for the partner
 };
 
 /// What came of reading a command line: go on, or leave at once with a text for the terminal.

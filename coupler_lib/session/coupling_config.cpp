@@ -55,7 +55,10 @@ base::Table<SchemeConfig> scheme_table()
         .key(
             "wait", &SchemeConfig::wait,
             {.doc = "how to wait. auto: spin, then yield, then sleep; spin: keep the core; yield: give it away at once",
-             .choices = {"auto", "spin", "yield"}});
+             .choices = {"auto", "spin", "yield"}})
+        .key("record", &SchemeConfig::record,
+             {.doc = "file in the output folder for every packet that crosses the interface, for --replay; each rank "
+                     "writes its own, traffic.h5 becomes traffic.solid.0.h5. Empty: none"});
 }
 
 base::Table<InterfaceConfig> interface_table()

@@ -35,6 +35,7 @@ struct SchemeConfig {
     double handshake_timeout = 30;
     double silence_timeout = 300;
     std::string wait = "auto";
+    std::string record;
 
     WaitStyle wait_style() const;
 };

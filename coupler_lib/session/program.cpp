@@ -41,6 +41,31 @@ struct Preparation {
     ParticipantSettings settings;
 };
 
+/// Over MPI alone, with a recording beside it, or from a recording that stands for the partner.
+void choose_couriers(const CommandLine& command, Preparation& made)
+{
+    ParticipantSettings& settings = made.settings;
+    if (command.replay.empty()) {
+        const std::string& record = made.files.coupling->scheme.record;
+        if (!record.empty())
+            settings.couriers = recording_couriers(made.files.output_dir + "/" + record,
+                                                   {.role = settings.role,
+                                                    .partner = {},
+                                                    .config_hash = settings.config_hash,
+                                                    .git_hash = settings.version});
+        return;
+    }
+    const std::string path = traffic_path(command.replay, settings.role, 0);
+    const TrafficInfo then = TrafficReader(path).info();
+    base::require_input(then.role == settings.role, "'", path, "' holds the traffic of '", then.role, "', not of '",
+                        settings.role, "'");
+    settings.expected_roles = {settings.role};
+    settings.recorded_role = then.partner;
+    settings.recorded_ranks = then.partner_ranks;
+    made.files.replay = std::make_shared<ReplayVerdict>();
+    settings.couriers = replaying_couriers(command.replay, made.files.replay);
+}
+
 Preparation prepare(const ProgramInfo& program, const CommandLine& command)
 {
     Preparation made;
@@ -63,12 +88,15 @@ Preparation prepare(const ProgramInfo& program, const CommandLine& command)
             settings.silence_timeout = made.files.coupling->scheme.silence_timeout;
             settings.wait = made.files.coupling->scheme.wait_style();
         }
+        if (made.files.coupling) choose_couriers(command, made);
         if (made.files.coupling && command.check_only && started_alone()) {
             settings.expected_roles = {settings.role};
             made.files.describe = command.describe;
             if (!command.describe)
                 made.files.partners = describe_partners(*made.files.coupling, command, settings.role);
         }
+        base::require_input(command.replay.empty() || made.files.coupling, "--replay needs coupling.toml, not '",
+                            command.file, "'");
     } catch (const base::Error& error) {
         settings.failure = error.what();
         settings.failure_code = error.code();

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <sys/resource.h>
 
@@ -136,6 +137,7 @@ void Session::write_summary(base::JsonObject figures)
         .set("commit", base::git_hash())
         .set("wait_share", wait.share)
         .set("timers", timers_.json());
+    report_replay(figures);
     if (!is_root()) return;
     write_text(own_dir() + "/summary.json", figures.text() + "\n");
     const auto texts = gather_texts(*participant_, figures.text(1), summary_tag);
@@ -145,6 +147,22 @@ void Session::write_summary(base::JsonObject figures)
     for (const auto& [name, text] : texts) all += (all == "{" ? "\n  \"" : ",\n  \"") + name + "\": " + text;
     if (!advice.empty()) all += ",\n  \"wait_balance\": \"" + advice + "\"";
     write_text(files_.output_dir + "/summary.json", all + "\n}\n");
+}
+
+/// Whether what this side sent was what it had sent when recorded. Collective.
+void Session::report_replay(base::JsonObject& figures) const
+{
+    if (!files_.replay) return;
+    const ReplayVerdict& mine = *files_.replay;
+    const auto never = std::numeric_limits<std::int64_t>::max();
+    const std::int64_t first = -comm().max(mine.differs ? -mine.step : -never);
+    const std::int64_t packets = comm().sum(mine.packets);
+    figures.set("replayed_packets", packets).set("replay_differs", first != never);
+    if (first != never) figures.set("replay_first_difference_step", first);
+    if (first == never)
+        log_.info(base::text("replay: all ", packets, " packets sent are those of the recording, to the bit"));
+    else
+        log_.warn(base::text("replay: what is sent differs from the recording from step ", first, " on"));
 }
 
 /// On world rank 0: who waited how long, with advice, logged and returned. Elsewhere: sends its own share.

@@ -4,6 +4,7 @@
 #include "coupler_lib/base/log.hpp"
 #include "coupler_lib/base/timer.hpp"
 #include "coupler_lib/coupling/participant.hpp"
+#include "coupler_lib/recorder/recorder.hpp"
 #include "coupler_lib/session/command_line.hpp"
 #include "coupler_lib/session/coupling_config.hpp"
 #include "coupler_lib/session/partner_description.hpp"
@@ -40,6 +41,7 @@ struct RunFiles {
     std::vector<PartnerDescription> partners; ///< of a check without mpirun
     std::string used_coupling;                ///< coupling.toml with its defaults, as TOML
     std::string used_own;                     ///< the own file likewise
+    std::shared_ptr<ReplayVerdict> replay;    ///< of a run with --replay; else null
 };
 
 /// Reads everything, checks every key. Throws Error(bad_input) with file, line, column.
@@ -80,6 +82,7 @@ public:
 
 private:
     void write_used_config();
+    void report_replay(base::JsonObject& figures) const;
     std::string wait_balance(const WaitShare& mine);
 
     Participant* participant_;
