@@ -15,7 +15,8 @@ PacketExchange::PacketExchange(Participant& participant, std::vector<int> peers,
       peers_(route_.peers.size()),
       incoming_(route_.peers.size())
 {
-    for (std::size_t peer = 0; peer < peers_.size(); ++peer) peers_[peer].name = participant.name_of(route_.peers[peer]);
+    for (std::size_t peer = 0; peer < peers_.size(); ++peer)
+        peers_[peer].name = participant.name_of(route_.peers[peer]);
 }
 
 PacketExchange::~PacketExchange()

@@ -13,7 +13,10 @@ constexpr hsize_t bytes_per_chunk = 1 << 16, ends_per_chunk = 1 << 10;
 constexpr std::size_t flush_bytes = 1 << 20;
 constexpr double flush_seconds = 1;
 
-std::size_t stream_of(Direction direction, std::size_t peer) { return 2 * peer + (direction == Direction::sent ? 0 : 1); }
+std::size_t stream_of(Direction direction, std::size_t peer)
+{
+    return 2 * peer + (direction == Direction::sent ? 0 : 1);
+}
 
 std::string group_of(Direction direction, std::size_t peer)
 {
@@ -118,7 +121,8 @@ TrafficWriter::TrafficWriter(const std::string& path, const TrafficInfo& info) :
     H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
     file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
-    base::require_input(file_ >= 0, "cannot make the recording '", path, "'; does its folder exist, is it open elsewhere?");
+    base::require_input(file_ >= 0, "cannot make the recording '", path,
+                        "'; does its folder exist, is it open elsewhere?");
     put_attribute(file_, "format", format);
     put_attribute(file_, "role", info.role);
     put_attribute(file_, "rank", std::to_string(info.rank));
@@ -131,8 +135,7 @@ TrafficWriter::TrafficWriter(const std::string& path, const TrafficInfo& info) :
     H5Pset_create_intermediate_group(parents, 1);
     for (std::size_t peer = 0; peer < static_cast<std::size_t>(info.partner_ranks); ++peer)
         for (const Direction direction : {Direction::sent, Direction::received}) {
-            const hid_t group =
-                H5Gcreate2(file_, group_of(direction, peer).c_str(), parents, H5P_DEFAULT, H5P_DEFAULT);
+            const hid_t group = H5Gcreate2(file_, group_of(direction, peer).c_str(), parents, H5P_DEFAULT, H5P_DEFAULT);
             Stream& stream = streams_.emplace_back();
             stream.bytes = make_series(group, "bytes", H5T_NATIVE_UINT8, bytes_per_chunk);
             stream.ends = make_series(group, "end", H5T_NATIVE_INT64, ends_per_chunk);
@@ -192,9 +195,8 @@ TrafficReader::TrafficReader(const std::string& path) : path_(path)
         throw base::Error(base::ExitCode::bad_input, "'" + path + "' is no recording of a coupled run");
     }
     const auto number = [&](const char* name) { return std::stoi("0" + get_attribute(file_, name)); };
-    info_ = {get_attribute(file_, "role"),        number("rank"),
-             number("ranks"),                     get_attribute(file_, "partner"),
-             number("partner_ranks"),             get_attribute(file_, "config_hash"),
+    info_ = {get_attribute(file_, "role"),    number("rank"),          number("ranks"),
+             get_attribute(file_, "partner"), number("partner_ranks"), get_attribute(file_, "config_hash"),
              get_attribute(file_, "git_hash")};
     for (int peer = 0; peer < info_.partner_ranks; ++peer)
         for (const Direction direction : {Direction::sent, Direction::received}) open_stream(direction, peer);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -160,9 +161,9 @@ void Session::report_replay(base::JsonObject& figures) const
     figures.set("replayed_packets", packets).set("replay_differs", first != never);
     if (first != never) figures.set("replay_first_difference_step", first);
     if (first == never)
-        log_.info(base::text("replay: all ", packets, " packets sent are those of the recording, to the bit"));
+        log_.info(fmt::format("replay: all {} packets sent are those of the recording, to the bit", packets));
     else
-        log_.warn(base::text("replay: what is sent differs from the recording from step ", first, " on"));
+        log_.warn(fmt::format("replay: what is sent differs from the recording from step {} on", first));
 }
 
 /// On world rank 0: who waited how long, with advice, logged and returned. Elsewhere: sends its own share.

@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("coupler_lib/coupling", "coupler_lib/session")
+FOLDERS = ("coupler_lib/coupling", "coupler_lib/recorder", "coupler_lib/session")
 CALL = re.compile(r"\b(?:text|require_input|require|Error|refuse)\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 PARTS = ("(packet …", "(rank …) has")    # pieces of messages, not messages
