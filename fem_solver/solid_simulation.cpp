@@ -33,11 +33,9 @@ StaticSettings static_settings(const SolidConfig& config, LoadTime time)
     return {newton_settings(config.newton), solver_settings(config.linear_solver), time};
 }
 
-InterfaceLoadSettings load_settings(const SolidConfig& config, const coupler::CouplingConfig& coupling)
+InterfaceLoadSettings load_settings(const coupler::CouplingConfig& coupling)
 {
-    const bool answered = coupling.scheme.scheme == "parallel_impedance";
-    return {coupling.interface.load == "averaged", answered ? coupling.scheme.impedance_factor : 0.0,
-            config.interface.smoothing_steps};
+    return {coupling.interface.load == "averaged", coupling.scheme.impedance_share()};
 }
 
 int acceleration_steps(const coupler::SchemeConfig& scheme)
@@ -195,27 +193,58 @@ void SolidSimulation::run_coupled()
 {
     const auto& coupling = session_.coupling();
     prepare();
-    loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(config_, coupling));
+    loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(coupling));
     fluid_.emplace(session_.participant(), coupling.interface_settings(), *boundary_,
-                   acceleration_steps(coupling.scheme));
+                   acceleration_steps(coupling.scheme), coupling.scheme.load_prediction());
     answer(fluid_->receive()); // greeting: where the body is
-    for (;;) {
-        const coupler::Window window = fluid_->receive();
-        if (window.step == 0) {
-            loads_->start(fluid_->load(), motion_);
-            step_.start(motion_);
-        }
-        now_ = {window.time, window.step, now_.dt, window.last};
-        answer(window);
-        write();
-        if (window.last) break;
-        loads_->set(fluid_->load(), motion_, window.dt);
-        advance(window.dt);
-    }
+    answer_first(fluid_->receive());
+    coupling.scheme.serial() ? follow_the_fluid() : keep_pace_with_the_fluid();
     finish(base::JsonObject()
                .set("wait_s", fluid_->wait_seconds())
                .set("bytes_received", fluid_->bytes_received())
                .set("loads_hash", fluid_->loads_hash()));
+}
+
+/// The state at the start, from the load that the fluid bears down with there.
+void SolidSimulation::answer_first(const coupler::Window& window)
+{
+    loads_->start(fluid_->load());
+    step_.start(motion_);
+    show(window);
+}
+
+/// Parallel: both compute the window's step at the same time, the solid with the load of the fluid's last one.
+void SolidSimulation::keep_pace_with_the_fluid()
+{
+    while (!window_.last) {
+        step_under_load(window_.dt);
+        show(fluid_->receive());
+    }
+}
+
+/// Serial: the fluid is a step ahead; the solid makes the same step with the load of it, while the fluid waits.
+void SolidSimulation::follow_the_fluid()
+{
+    while (!window_.last) {
+        const coupler::Window next = fluid_->receive();
+        step_under_load(window_.dt);
+        show(next);
+    }
+}
+
+void SolidSimulation::step_under_load(double dt)
+{
+    loads_->set(fluid_->predict_load(motion_, dt), motion_);
+    advance(dt);
+}
+
+/// Sends and writes the state of the window's time.
+void SolidSimulation::show(const coupler::Window& window)
+{
+    window_ = window;
+    now_ = {window.time, window.step, now_.dt, window.last};
+    answer(window);
+    write();
 }
 
 void SolidSimulation::advance(double dt)

@@ -30,6 +30,11 @@ private:
     void settle();
     void run_alone();
     void run_coupled();
+    void answer_first(const coupler::Window& window);
+    void keep_pace_with_the_fluid();
+    void follow_the_fluid();
+    void step_under_load(double dt);
+    void show(const coupler::Window& window);
     void advance(double dt);
     void answer(const coupler::Window& window);
     coupler::SolidReport report() const;
@@ -42,6 +47,7 @@ private:
     SolidStep step_;
     Motion motion_;
     Instant now_;
+    coupler::Window window_; // of the last packet
     std::optional<SolidOutput> output_;
     std::optional<WetBoundary> boundary_;
     std::optional<InterfaceLoads> loads_;

@@ -58,7 +58,9 @@ public:
           surface_(config.surface, session.comm()),
           piston_(config.piston),
           wet_(session.participant(), session.coupling().interface_settings(), surface_.wet()),
-          filter_(session.coupling().scheme.acceleration == "nodal" ? 0 : session.coupling().scheme.acceleration_steps)
+          filter_(session.coupling().scheme.acceleration == "nodal" ? 0 : session.coupling().scheme.acceleration_steps),
+          prediction_(session.coupling().scheme.load_prediction()),
+          serial_(session.coupling().scheme.serial())
     {
         if (session.is_root()) tables_.emplace(session.own_dir());
     }
@@ -71,12 +73,11 @@ public:
         while (!window.last) {
             window = wet_.receive(load_, fluid_);
             if (window.step == 0) piston_.start(surface_.axial(load_));
+            if (serial_ && window.step > 0 && !step(last_dt_, window.step)) return;
             if (!answer(window)) return;
             if (window.last) break;
-            Patience::nap(config_.run.sleep);
-            if (meets_fault("step", window.step) == Fault::leave) return;
-            piston_.advance(load_of_step(), window.dt);
-            surface_.resultants(load_, piston_.displacement(), piston_.applied_load(), report_);
+            last_dt_ = window.dt;
+            if (!serial_ && !step(window.dt, window.step)) return;
         }
         if (meets_fault("end", window.step) == Fault::leave) return;
         session_.write_summary(summary(window));
@@ -88,24 +89,39 @@ private:
         return act_out(config_.fault, moment, step, session_.comm().rank());
     }
 
+    /// Steps with the load received last. \return false: the fault "leave" ends the run here
+    bool step(double dt, std::int64_t number)
+    {
+        Patience::nap(config_.run.sleep);
+        if (meets_fault("step", number) == Fault::leave) return false;
+        prediction_->apply(load_, motion().velocity, dt);
+        piston_.advance(load_of_step(), dt);
+        surface_.resultants(load_, piston_.displacement(), piston_.applied_load(), report_);
+        return true;
+    }
+
+    SurfaceMotion motion() const
+    {
+        return surface_.motion(piston_.displacement(), piston_.velocity(), piston_.acceleration());
+    }
+
     /// Sends the motion at the window's time and writes a row. \return false: the fault "leave" ends the run here
     bool answer(const Window& window)
     {
         const Fault fault = meets_fault("exchange", window.step);
         if (fault == Fault::leave) return false;
-        auto motion = surface_.motion(piston_.displacement(), piston_.velocity(), piston_.acceleration());
-        filter_.apply(window.time, motion);
-        if (fault == Fault::nan) motion.velocity.at(0) = std::numeric_limits<double>::quiet_NaN();
+        SurfaceMotion now = motion();
+        filter_.apply(window.time, now);
+        if (fault == Fault::nan) now.velocity.at(0) = std::numeric_limits<double>::quiet_NaN();
         fill_report();
-        wet_.send(motion, report_);
+        wet_.send(now, report_);
         if (tables_ && window.step >= 0) tables_->write(window, piston_, surface_);
         return true;
     }
 
     OscillatorLoad load_of_step() const
     {
-        const auto& scheme = session_.coupling().scheme;
-        const double share = scheme.scheme == "parallel_impedance" ? scheme.impedance_factor : 0.0;
+        const double share = session_.coupling().scheme.impedance_share();
         const double cosine = surface_.axis_cosine(); // the reaction rho c v.n acts along n
         return {surface_.axial(load_), share * load_.impedance * cosine * cosine, surface_.axial(load_.wall_velocity)};
     }
@@ -137,6 +153,9 @@ private:
     Oscillator piston_;
     SolidInterface wet_;
     AccelerationFilter filter_;
+    std::unique_ptr<LoadPrediction> prediction_;
+    bool serial_;
+    double last_dt_ = 0;
     SurfaceLoad load_;
     FluidReport fluid_;
     SolidReport report_;

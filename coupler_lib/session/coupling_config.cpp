@@ -39,10 +39,17 @@ base::Table<SchemeConfig> scheme_table()
         .key("scheme", &SchemeConfig::scheme,
              {.doc =
                   "parallel: load lagged by a step; parallel_impedance: the same with the acoustic reaction of the wet "
-                  "surface taken implicitly in the solid",
-              .choices = {"parallel", "parallel_impedance"}})
+                  "surface taken implicitly in the solid; parallel_extrapolated: the load carried on linearly in time; "
+                  "serial: the solid steps after the fluid, with the load of the same interval, while the fluid waits",
+              .choices = {"parallel", "parallel_impedance", "parallel_extrapolated", "serial"}})
         .key("impedance_factor", &SchemeConfig::impedance_factor,
              {.unit = "-", .doc = "share of rho c used by parallel_impedance", .min = 0, .max = 2})
+        .key("smoothing_steps", &SchemeConfig::smoothing_steps,
+             {.unit = "-",
+              .doc = "parallel_impedance: steps over which the acceleration is averaged that the wall is known to have; 0: "
+                     "not taken off, which adds mass",
+              .min = 0,
+              .max = 1000})
         .key("acceleration", &SchemeConfig::acceleration,
              {.doc = "wall acceleration sent to the fluid: mean over the solid's last steps, or the nodal one",
               .choices = {"mean", "nodal"}})
@@ -94,6 +101,13 @@ std::vector<std::string> CouplingConfig::roles() const
     std::vector<std::string> names;
     for (const auto& [name, participant] : participants) names.push_back(name);
     return names;
+}
+
+std::unique_ptr<LoadPrediction> SchemeConfig::load_prediction() const
+{
+    if (scheme == "parallel_extrapolated") return make_extrapolated_load();
+    if (scheme == "parallel_impedance" && smoothing_steps > 0) return make_smoothed_reference(smoothing_steps);
+    return make_lagged_load();
 }
 
 WaitStyle SchemeConfig::wait_style() const

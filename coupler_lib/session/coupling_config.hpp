@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "coupler_lib/base/config.hpp"
+#include "coupler_lib/coupling/load_prediction.hpp"
 #include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/coupling/surface.hpp"
 
@@ -30,6 +31,7 @@ struct RunOutputConfig {
 struct SchemeConfig {
     std::string scheme = "parallel_impedance";
     double impedance_factor = 0.5;
+    int smoothing_steps = 20;
     std::string acceleration = "mean";
     int acceleration_steps = 5;
     double handshake_timeout = 30;
@@ -38,6 +40,12 @@ struct SchemeConfig {
     std::string record;
 
     WaitStyle wait_style() const;
+    /// The solid steps over an interval after the fluid, with the load of the same interval; else both at the same time.
+    bool serial() const { return scheme == "serial"; }
+    /// Share of rho c that the solid answers to within its step.
+    double impedance_share() const { return scheme == "parallel_impedance" ? impedance_factor : 0; }
+    /// What the solid makes of the loads.
+    std::unique_ptr<LoadPrediction> load_prediction() const;
 };
 
 /// [interface]

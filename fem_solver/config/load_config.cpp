@@ -85,14 +85,7 @@ base::Table<LoadConfig> load_table()
 base::Table<InterfaceConfig> interface_table()
 {
     return base::Table<InterfaceConfig>("the wet surface, when the solid is coupled to a fluid")
-        .key("groups", &InterfaceConfig::groups, {.doc = "groups of faces that the fluid may touch"})
-        .key("smoothing_steps", &InterfaceConfig::smoothing_steps,
-             {.unit = "-",
-              .doc = "parallel_impedance: the wall's mean acceleration over about so many steps is no news to the "
-                     "fluid and "
-                     "is not answered; 0: every change of velocity is",
-              .min = 0,
-              .max = 10000});
+        .key("groups", &InterfaceConfig::groups, {.doc = "groups of faces that the fluid may touch"});
 }
 
 } // namespace fem

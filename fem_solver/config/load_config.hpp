@@ -44,7 +44,6 @@ struct LoadConfig {
 /// [interface]: where the fluid may touch the solid.
 struct InterfaceConfig {
     std::vector<std::string> groups;
-    int smoothing_steps = 20;
 };
 
 base::Table<SupportConfig> support_table();

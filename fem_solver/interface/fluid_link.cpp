@@ -4,9 +4,19 @@
 namespace fem {
 
 FluidLink::FluidLink(coupler::Participant& participant, const coupler::InterfaceSettings& settings,
-                     const WetBoundary& boundary, int acceleration_steps)
-    : boundary_(&boundary), interface_(participant, settings, boundary.surface()), filter_(acceleration_steps)
+                     const WetBoundary& boundary, int acceleration_steps,
+                     std::unique_ptr<coupler::LoadPrediction> prediction)
+    : boundary_(&boundary),
+      interface_(participant, settings, boundary.surface()),
+      filter_(acceleration_steps),
+      prediction_(std::move(prediction))
 {}
+
+const coupler::SurfaceLoad& FluidLink::predict_load(const Motion& motion, double dt)
+{
+    prediction_->apply(load_, boundary_->gather(motion.velocity), dt);
+    return load_;
+}
 
 coupler::Window FluidLink::receive()
 {

@@ -7,17 +7,14 @@ namespace fem {
 
 InterfaceLoads::InterfaceLoads(const Mesh& mesh, const WetBoundary& boundary, SolidForces& forces,
                                const InterfaceLoadSettings& settings)
-    : boundary_(&boundary),
-      settings_(settings),
-      last_velocity_(Eigen::VectorXd::Zero(forces.dofs())),
-      smooth_acceleration_(last_velocity_)
+    : boundary_(&boundary), settings_(settings)
 {
     if (settings.averaged) {
         auto load = std::make_unique<FacetPressure>(mesh, forces.pattern(), boundary.facets());
         pressure_ = load.get();
         forces.set_interface_load(std::move(load));
     } else {
-        auto load = std::make_unique<DeadLoad>(last_velocity_);
+        auto load = std::make_unique<DeadLoad>(Eigen::VectorXd::Zero(forces.dofs()));
         nodal_ = load.get();
         forces.set_interface_load(std::move(load));
     }
@@ -28,24 +25,14 @@ InterfaceLoads::InterfaceLoads(const Mesh& mesh, const WetBoundary& boundary, So
     }
 }
 
-void InterfaceLoads::start(const coupler::SurfaceLoad& load, const Motion& motion)
-{
-    set_measured(load);
-    last_velocity_ = motion.velocity;
-}
+void InterfaceLoads::start(const coupler::SurfaceLoad& load) { set_measured(load); }
 
-void InterfaceLoads::set(const coupler::SurfaceLoad& load, const Motion& motion, double dt)
+void InterfaceLoads::set(const coupler::SurfaceLoad& load, const Motion& motion)
 {
     set_measured(load);
-    follow(motion);
-    if (impedance_) {
-        const double lag = dt + 0.5 * last_dt_;
-        Eigen::VectorXd known = boundary_->spread(load.wall_velocity);
-        if (settings_.smoothing_steps > 0) known += lag * smooth_acceleration_;
+    if (impedance_)
         impedance_->set(settings_.impedance_factor * load.impedance, wet_facets(load), motion.displacement,
-                        std::move(known));
-    }
-    last_dt_ = dt;
+                        boundary_->spread(load.wall_velocity));
 }
 
 void InterfaceLoads::set_measured(const coupler::SurfaceLoad& load)
@@ -54,16 +41,6 @@ void InterfaceLoads::set_measured(const coupler::SurfaceLoad& load)
         pressure_->set(load.pressure);
     else
         nodal_->set(boundary_->spread(load.force));
-}
-
-/// The mean acceleration of the step that ended now, low-passed.
-void InterfaceLoads::follow(const Motion& motion)
-{
-    if (last_dt_ > 0 && settings_.smoothing_steps > 0) {
-        const Eigen::VectorXd mean = (motion.velocity - last_velocity_) / last_dt_;
-        smooth_acceleration_ += (mean - smooth_acceleration_) / settings_.smoothing_steps;
-    }
-    last_velocity_ = motion.velocity;
 }
 
 /// Facets that the fluid presses on: with a pressure, or with a force on all their nodes.
