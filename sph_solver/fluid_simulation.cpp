@@ -139,7 +139,7 @@ template<int D> void FluidSimulation<D>::advance()
         step_.advance(particles_, next_dt_);
         updates_ += static_cast<double>(particles_.owned.size());
         now_ = {now_.step + 1, now_.time + next_dt_, next_dt_, false};
-        next_dt_ = time_step_.next(particles_, session_.comm());
+        if (meets_solid()) next_dt_ = time_step_.next(particles_, session_.comm()); // kept in between
     } catch (const base::Error& error) {
         if (error.code() != base::ExitCode::numerical_failure) throw;
         throw base::Error(error.code(), base::text(error.what(), " (fluid rank ", session_.comm().rank(), ", step ",
@@ -150,7 +150,13 @@ template<int D> void FluidSimulation<D>::advance()
     progress_.update(now_.time, now_.step, now_.dt);
 }
 
-template<int D> bool FluidSimulation<D>::is_last() const { return stopping_ || now_.time >= end_time_ * (1.0 - 1e-12); }
+template<int D> bool FluidSimulation<D>::is_last() const
+{
+    return meets_solid() && (stopping_ || now_.time >= end_time_ * (1.0 - 1e-12));
+}
+
+/// With several steps for one of the solid, only some end with an exchange.
+template<int D> bool FluidSimulation<D>::meets_solid() const { return !solid_ || solid_->due(now_.step); }
 
 /// Coupled, both sides agree on it with their packets; alone, the ranks do.
 template<int D> bool FluidSimulation<D>::stop_wanted()
@@ -163,9 +169,12 @@ template<int D> void FluidSimulation<D>::exchange()
 {
     if (!solid_) return;
     const auto scope = session_.timers().scope("exchange");
+    row_wanted_ = row_wanted_ || output_->row_due();
+    if (!meets_solid()) return solid_->coast(now_.dt);
     if (!now_.last && now_.step > 0) step_.settle(particles_, next_dt_); // asks for facets where the particles will be
     solid_->exchange({now_.step, now_.time, next_dt_, now_.last, stopping_}, particles_, ledger_);
-    if (output_->row_due()) solid_->write_row();
+    if (row_wanted_) solid_->write_row();
+    row_wanted_ = false;
 }
 
 template<int D> void FluidSimulation<D>::write()

@@ -28,6 +28,7 @@ private:
     void write();
     void finish();
     [[nodiscard]] bool is_last() const;
+    [[nodiscard]] bool meets_solid() const;
     [[nodiscard]] bool stop_wanted();
 
     FluidConfig config_;
@@ -47,7 +48,7 @@ private:
     base::Progress progress_;
     Instant now_;
     double next_dt_ = 0.0;
-    bool stopping_ = false;
+    bool stopping_ = false, row_wanted_ = false;
     double updates_ = 0.0; ///< particle updates so far, all ranks
     double loop_seconds_ = 0.0;
 };

@@ -4,6 +4,7 @@
 #include "sph_solver/interface/interface_geometry.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace sph {
 namespace {
@@ -27,6 +28,13 @@ coupler::RegionBox united(coupler::RegionBox a, const coupler::RegionBox& b)
     return a;
 }
 
+/// Particles may change ranks before the next exchange: each rank then wants the whole surface.
+coupler::RegionBox everywhere()
+{
+    constexpr double far = std::numeric_limits<double>::max();
+    return {{-far, -far, -far}, {far, far, far}};
+}
+
 } // namespace
 
 template<int D>
@@ -34,10 +42,11 @@ SolidLink<D>::SolidLink(coupler::Session& session, const FluidModel<D>& model, c
                         Walls<D>& walls)
     : session_(session),
       walls_(walls),
+      steps_(session.coupling().scheme.solid_every),
       region_margin_(search.reach() + search.skin() + walls.settings().spacing),
       region_step_(search.reach()),
       interface_(session.participant(), settings(session, model.eos), D),
-      observer_(walls.settings(), session.coupling().interface_settings().load == coupler::LoadKind::averaged)
+      observer_(walls.settings(), session.coupling().interface_settings().load == coupler::LoadKind::averaged, steps_)
 {
     batch_.dimension = D;
     if (session.is_root()) record_.emplace(session.output_dir(), D);
@@ -58,8 +67,11 @@ template<int D> void SolidLink<D>::measure_start(FluidStep<D>& step, Particles<D
 }
 
 template<int D>
-void SolidLink<D>::exchange(const coupler::Window& window, const Particles<D>& particles, const EnergyLedger<D>& ledger)
+void SolidLink<D>::exchange(const coupler::Window& step, const Particles<D>& particles, const EnergyLedger<D>& ledger)
 {
+    coupler::Window window = step;
+    window.step /= steps_;
+    window.dt *= steps_;
     sum_load(ledger);
     send(window, particles, observer_.loads());
     const coupler::FacetBatch before = batch_;
@@ -72,11 +84,22 @@ void SolidLink<D>::exchange(const coupler::Window& window, const Particles<D>& p
     if (record_) record_->add(window, report_, solid_);
 }
 
+/// x += v dt + a dt^2/2, v += a dt
+template<int D> void SolidLink<D>::coast(double dt)
+{
+    coupler::SurfaceMotion& motion = batch_.motion;
+    for (std::size_t k = 0; k < motion.position.size(); ++k) {
+        motion.position[k] += dt * (motion.velocity[k] + 0.5 * dt * motion.acceleration[k]);
+        motion.velocity[k] += dt * motion.acceleration[k];
+    }
+    set_interface_motion(walls_, batch_);
+}
+
 template<int D>
 void SolidLink<D>::send(const coupler::Window& window, const Particles<D>& particles, const coupler::FacetLoads& loads)
 {
     const auto scope = session_.timers().scope("interface: send");
-    const coupler::RegionBox region = region_of(particles, region_margin_, region_step_);
+    const coupler::RegionBox region = steps_ == 1 ? region_of(particles, region_margin_, region_step_) : everywhere();
     interface_.send(window, united(region, last_region_), loads, batch_, report_);
     last_region_ = region;
 }

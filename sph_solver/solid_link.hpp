@@ -15,10 +15,16 @@ namespace sph {
 /// The fluid's side of the coupling: what crosses the interface, and the account of it.
 ///
 /// At t_n the fluid sends the load of its step n - 1 and the next dt, and receives the surface's motion at t_n, with
-/// which its moving walls start step n. Both sides then compute t_n -> t_n+1 at the same time.
+/// which its moving walls start step n. Both sides then compute t_n -> t_n+1 at the same time. With `solid_every` = k the
+/// exchange comes after every k-th step, and the solid's steps are k of the fluid's.
 template<int D> class SolidLink {
 public:
     SolidLink(coupler::Session& session, const FluidModel<D>& model, const NeighbourSearch<D>& search, Walls<D>& walls);
+
+    /// Whether the solid is met after so many steps.
+    [[nodiscard]] bool due(std::int64_t step) const { return step % steps_ == 0; }
+    /// Between two exchanges: the surface goes on with the velocity and acceleration that it had, for one step [s].
+    void coast(double dt);
 
     /// Measures the loads of every step.
     StageObserver<D>& observer() { return observer_; }
@@ -29,9 +35,9 @@ public:
     /// Measures load 0, that of the state at rest with the walls where they are. Collective.
     void measure_start(FluidStep<D>& step, Particles<D>& particles);
 
-    /// Sends the load of the last step, receives the motion at `window.time` and gives it to the walls. Collective.
-    /// \param ledger  for the work of the interface so far
-    void exchange(const coupler::Window& window, const Particles<D>& particles, const EnergyLedger<D>& ledger);
+    /// Sends the load of the last step, receives the motion at `step.time` and gives it to the walls. Collective.
+    /// \param step  the last step and what follows it  \param ledger  for the work of the interface so far
+    void exchange(const coupler::Window& step, const Particles<D>& particles, const EnergyLedger<D>& ledger);
 
     /// Energies that go with the next packets; to be renewed whenever a row is written.
     void report(const EnergyBalance& energies);
@@ -52,6 +58,7 @@ private:
 
     coupler::Session& session_;
     Walls<D>& walls_;
+    int steps_; ///< from one exchange to the next
     double region_margin_;
     double region_step_;
     coupler::RegionBox last_region_; ///< of the step before: its facets still bear the load that is sent now

@@ -67,6 +67,9 @@ private:
 
 std::unique_ptr<LoadPrediction> make_lagged_load() { return std::make_unique<LaggedLoad>(); }
 std::unique_ptr<LoadPrediction> make_extrapolated_load() { return std::make_unique<ExtrapolatedLoad>(); }
-std::unique_ptr<LoadPrediction> make_smoothed_reference(int steps) { return std::make_unique<SmoothedReference>(steps); }
+std::unique_ptr<LoadPrediction> make_smoothed_reference(int steps)
+{
+    return std::make_unique<SmoothedReference>(steps);
+}
 
 } // namespace coupler

@@ -70,7 +70,8 @@ public:
         if (meets_fault("start", 0) == Fault::leave) return;
         exchange({-1, 0, 0}, {});
         measure(0, 0);
-        const double end = session_.coupling().time.end, dt = config_.fluid.dt;
+        const double end = session_.coupling().time.end; // its steps cost nothing: one makes a window
+        const double dt = config_.fluid.dt * session_.coupling().scheme.solid_every;
         for (std::int64_t step = 0;; ++step) {
             const double time = static_cast<double>(step) * dt;
             const bool stop = wet_.stop_agreed();

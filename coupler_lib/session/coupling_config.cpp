@@ -44,11 +44,20 @@ base::Table<SchemeConfig> scheme_table()
               .choices = {"parallel", "parallel_impedance", "parallel_extrapolated", "serial"}})
         .key("impedance_factor", &SchemeConfig::impedance_factor,
              {.unit = "-", .doc = "share of rho c used by parallel_impedance", .min = 0, .max = 2})
-        .key("smoothing_steps", &SchemeConfig::smoothing_steps,
+        .key(
+            "smoothing_steps", &SchemeConfig::smoothing_steps,
+            {.unit = "-",
+             .doc =
+                 "parallel_impedance: steps over which the acceleration is averaged that the wall is known to have; 0: "
+                 "not taken off, which adds mass",
+             .min = 0,
+             .max = 1000})
+        .key("solid_every", &SchemeConfig::solid_every,
              {.unit = "-",
-              .doc = "parallel_impedance: steps over which the acceleration is averaged that the wall is known to have; 0: "
-                     "not taken off, which adds mass",
-              .min = 0,
+              .doc = "steps of the fluid, all of one length, for one of the solid, which gets their mean load; in "
+                     "between the "
+                     "wet surface goes on with its velocity and acceleration. For solids whose call is dear",
+              .min = 1,
               .max = 1000})
         .key("acceleration", &SchemeConfig::acceleration,
              {.doc = "wall acceleration sent to the fluid: mean over the solid's last steps, or the nodal one",

@@ -32,6 +32,7 @@ struct SchemeConfig {
     std::string scheme = "parallel_impedance";
     double impedance_factor = 0.5;
     int smoothing_steps = 20;
+    int solid_every = 1;
     std::string acceleration = "mean";
     int acceleration_steps = 5;
     double handshake_timeout = 30;

@@ -72,7 +72,9 @@ void compare_steps(const CouplingConfig& config, const DataFlow& fluid, const Da
 
 void judge_stability(const CouplingConfig& config, const DataFlow& fluid, const DataFlow& solid, FlowReport& report)
 {
-    const double beta = stability_number(fluid, solid);
+    DataFlow window = fluid; // from one exchange to the next
+    window.dt *= config.scheme.solid_every;
+    const double beta = stability_number(window, solid);
     if (beta <= 0) return;
     report.facts.push_back(
         fmt::format("stability number of {} and {}: rho c dt / m = {:.3g}", fluid.role, solid.role, beta));

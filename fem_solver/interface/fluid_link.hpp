@@ -14,8 +14,7 @@ public:
     /// \param acceleration_steps steps that the wall acceleration sent to the fluid is averaged over; 0: nodal values.
     /// \param prediction what is made of the loads before each step
     FluidLink(coupler::Participant& participant, const coupler::InterfaceSettings& settings,
-              const WetBoundary& boundary, int acceleration_steps,
-              std::unique_ptr<coupler::LoadPrediction> prediction);
+              const WetBoundary& boundary, int acceleration_steps, std::unique_ptr<coupler::LoadPrediction> prediction);
 
     /// Waits for the fluid's packet; its load on the whole wet boundary is then in `load`.
     coupler::Window receive();

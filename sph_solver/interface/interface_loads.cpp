@@ -38,7 +38,13 @@ template<int D> void InterfaceLoads<D>::begin(const Walls<D>& walls, std::size_t
     loads_.weight.resize(facet_count);
     loads_.weighted_pressure.resize(facet_count);
     loads_.full_weight.assign(facet_count, 0.0);
-    patches_.assign(facet_count, {});
+    follow(walls);
+}
+
+template<int D> void InterfaceLoads<D>::follow(const Walls<D>& walls)
+{
+    if (!averaged_) return;
+    patches_.assign(loads_.weight.size(), {});
     make_patches(walls);
 }
 

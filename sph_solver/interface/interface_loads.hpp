@@ -28,6 +28,9 @@ public:
     /// Starts a step: all loads zero, patches for the facets where they are now. \param facet_count of the batch
     void begin(const Walls<D>& walls, std::size_t facet_count);
 
+    /// The facets have moved within the window; loads add up.
+    void follow(const Walls<D>& walls);
+
     /// Adds one evaluation. \param on_wall force at each plane of walls.contacts() [N]  \param weight Runge-Kutta weight
     void add(const Particles<D>& particles, const Walls<D>& walls, const std::vector<Vec<D>>& on_wall, double weight);
 
