@@ -64,6 +64,9 @@ template<int D> void SolidLink<D>::measure_start(FluidStep<D>& step, Particles<D
     observer_.begin_step(particles, walls_, 0.0);
     const Evaluation<D>& evaluation = step.evaluate(particles);
     observer_.observe(particles, walls_, evaluation, 1.0, 0.0);
+    const double spacing = walls_.settings().spacing;
+    mapping_ = examine_mapping(walls_, batch_, spacing, session_.comm());
+    session_.log().info(describe(mapping_, session_.coupling().interface.surface, D, spacing));
 }
 
 template<int D>
@@ -150,6 +153,15 @@ template<int D> void SolidLink<D>::summarise(base::JsonObject& figures) const
         .set("bytes_received_most", comm.max(bytes))
         .set("bytes_received_least", -comm.max(-bytes))
         .set("bytes_sent_all_ranks", comm.sum(interface_.bytes_sent()));
+    figures.set("mapping", base::JsonObject()
+                               .set("facets", mapping_.facets)
+                               .set("facets_touched", mapping_.touched)
+                               .set("area", mapping_.area)
+                               .set("wall_points", mapping_.points)
+                               .set("first_layer_dx", mapping_.layer)
+                               .set("nearest_dx", mapping_.nearest)
+                               .set("constant_error", mapping_.constant_error)
+                               .set("turn_error_dx", mapping_.centre_distance));
     if (!record_) return;
     figures.set("interface_work_mismatch", record_->audit().worst_mismatch())
         .set("energy_drift", record_->energy_drift());

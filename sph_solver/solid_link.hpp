@@ -4,6 +4,7 @@
 #include "coupler_lib/coupling/fluid_interface.hpp"
 #include "coupler_lib/session/interface_record.hpp"
 #include "coupler_lib/session/session.hpp"
+#include "sph_solver/interface/mapping_report.hpp"
 #include "sph_solver/time/energy_ledger.hpp"
 #include "sph_solver/time/fluid_step.hpp"
 #include "sph_solver/time/load_observer.hpp"
@@ -32,7 +33,7 @@ public:
     /// Asks where the facets are and puts them into the walls. \pre particles are spread over the ranks. Collective.
     void greet(const Particles<D>& particles, double time);
 
-    /// Measures load 0, that of the state at rest with the walls where they are. Collective.
+    /// Measures load 0, that of the state at rest with the walls where they are, and logs how surface and water meet. Collective.
     void measure_start(FluidStep<D>& step, Particles<D>& particles);
 
     /// Sends the load of the last step, receives the motion at `step.time` and gives it to the walls. Collective.
@@ -67,6 +68,7 @@ private:
     coupler::FacetBatch batch_;
     coupler::FluidReport report_;
     coupler::SolidReport solid_;
+    MappingReport mapping_; ///< at the start
     std::optional<coupler::InterfaceRecord> record_; ///< on rank 0
 };
 

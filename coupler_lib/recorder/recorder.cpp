@@ -3,6 +3,7 @@
 
 #include "coupler_lib/coupling/participant.hpp"
 #include "coupler_lib/coupling/surface.hpp"
+#include "coupler_lib/recorder/traffic_file.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "coupler_lib/coupling/courier.hpp"
-#include "coupler_lib/recorder/traffic_file.hpp"
+#include "coupler_lib/recorder/traffic_info.hpp"
 
 namespace coupler {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/base/version.hpp"
 #include "coupler_lib/coupling/mpi_session.hpp"
+#include "coupler_lib/recorder/traffic_file.hpp"
 #include "coupler_lib/session/session.hpp"
 
 #include <cstdio>

@@ -17,6 +17,7 @@ ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": 
 # name: commands, each as (ranks, program); a program of one rank is started without mpirun and uses Google Benchmark
 BENCHES = {
     "sph": [(1, "bench_sph_evaluation"), (1, "bench_neighbours")],
+    "fem": [(1, "bench_fem")],
     "coupler": [(2, "bench_coupler"), (4, "bench_coupler")],
 }
 GOOGLES_OWN = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations"}

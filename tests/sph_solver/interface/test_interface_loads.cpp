@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "sph_solver/interface/mapping_report.hpp"
 #include "tests/sph_solver/interface/wet_plate.hpp"
 
 namespace sph {
@@ -50,6 +51,25 @@ TYPED_TEST(InterfaceLoadsTest, VirtualWorkIsThatOfTheFluid)
     add_wall_power(account, 1.0, cast.forces, cast.walls, cast.particles, sums);
     EXPECT_NEAR(account.by_interface.value(), -power, 1e-12 * scale);
     EXPECT_EQ(account.by_walls.value(), 0);
+}
+
+/// Particles at half spacings over the plate; the same on every rank, each facet counted once.
+TYPED_TEST(InterfaceLoadsTest, MappingIsReported)
+{
+    constexpr int D = TypeParam::value;
+    WetPlate<D> cast(7);
+    cast.evaluate();
+    const auto world = base::Communicator::world();
+    const MappingReport report = examine_mapping(cast.walls, cast.batch, 1.0, world);
+    EXPECT_EQ(report.facets, std::ssize(cast.batch.facet_ids));
+    EXPECT_EQ(report.touched, report.facets); // under water all over
+    EXPECT_NEAR(report.area, std::pow(10, D - 1), 1e-12);
+    EXPECT_NEAR(report.nearest, 0.5, 1e-12);
+    EXPECT_NEAR(report.layer, 0.5, 1e-12);
+    EXPECT_LT(report.constant_error, 1e-14);
+    EXPECT_GT(report.centre_distance, 0.01); // along the plate's edge
+    EXPECT_LT(report.centre_distance, 0.5);
+    EXPECT_NE(describe(report, "wet", D, 1.0).find(" facets, "), std::string::npos);
 }
 
 TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluidOnItsFootprints)
