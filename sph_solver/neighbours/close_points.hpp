@@ -142,8 +142,7 @@ template<> inline Pack PointRows<2>::squares(int i, const int* j) const
         return x;
     };
     const auto four = [](Two a, Two b, Two c, Two d) {
-        return __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 1, 2, 3),
-                                       __builtin_shufflevector(c, d, 0, 1, 2, 3), 0, 1, 2, 3, 4, 5, 6, 7);
+        return joined(__builtin_shufflevector(a, b, 0, 1, 2, 3), __builtin_shufflevector(c, d, 0, 1, 2, 3));
     };
     const Two x_i = row(i);
     const Pack from = four(x_i, x_i, x_i, x_i);
@@ -155,17 +154,15 @@ template<> inline Pack PointRows<2>::squares(int i, const int* j) const
 /// Two points in a register (x y z 0 x y z 0), four times; x + y and z of a half of the points meet in one register.
 template<> inline Pack PointRows<3>::squares(int i, const int* j) const
 {
-    using Four = double __attribute__((vector_size(32)));
     const auto row = [this](int k) {
-        Four x;
+        HalfPack x;
         std::memcpy(&x, rows_[static_cast<std::size_t>(k)].x, sizeof x);
         return x;
     };
-    const auto two = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); };
-    const Pack from = two(row(i), row(i));
+    const Pack from = joined(row(i), row(i));
     const auto half = [&](int a, int b, int c, int d) {
-        const Pack even = two(row(a), row(c)) - from;
-        const Pack odd = two(row(b), row(d)) - from;
+        const Pack even = joined(row(a), row(c)) - from;
+        const Pack odd = joined(row(b), row(d)) - from;
         return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
     };
     const Pack first = half(j[0], j[1], j[2], j[3]);

@@ -22,8 +22,42 @@ namespace sph {
 
 inline constexpr int pack_size = 8;
 
-/// Eight doubles. Arithmetic and comparisons work lane by lane (a vector type of GCC and Clang).
+/// Four doubles in a register.
+using HalfPack = double __attribute__((vector_size(4 * sizeof(double))));
+
+#if defined(__AVX512F__)
+/// Eight doubles. Arithmetic works lane by lane (a vector type of GCC and Clang).
 using Pack = double __attribute__((vector_size(pack_size * sizeof(double))));
+inline Pack joined(HalfPack low, HalfPack high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
+inline void set_first(Pack& a, double value) { a[0] = value; }
+#else
+/// Eight doubles as two times four, where no register holds eight: a vector type of that size would live in memory, and its
+/// comparisons would be made one by one. Arithmetic works lane by lane.
+struct Pack {
+    HalfPack low, high;
+
+    double operator[](std::size_t k) const { return k < 4 ? low[k] : high[k - 4]; }
+};
+inline Pack joined(HalfPack low, HalfPack high) { return {low, high}; }
+inline void set_first(Pack& a, double value) { a.low[0] = value; }
+inline Pack operator+(Pack a, Pack b) { return {a.low + b.low, a.high + b.high}; }
+inline Pack operator-(Pack a, Pack b) { return {a.low - b.low, a.high - b.high}; }
+inline Pack operator*(Pack a, Pack b) { return {a.low * b.low, a.high * b.high}; }
+inline Pack operator/(Pack a, Pack b) { return {a.low / b.low, a.high / b.high}; }
+inline Pack operator-(Pack a) { return {-a.low, -a.high}; }
+inline Pack operator+(Pack a, double b) { return {a.low + b, a.high + b}; }
+inline Pack operator-(Pack a, double b) { return {a.low - b, a.high - b}; }
+inline Pack operator*(Pack a, double b) { return {a.low * b, a.high * b}; }
+inline Pack operator/(Pack a, double b) { return {a.low / b, a.high / b}; }
+inline Pack operator+(double a, Pack b) { return {a + b.low, a + b.high}; }
+inline Pack operator-(double a, Pack b) { return {a - b.low, a - b.high}; }
+inline Pack operator*(double a, Pack b) { return {a * b.low, a * b.high}; }
+inline Pack operator/(double a, Pack b) { return {a / b.low, a / b.high}; }
+template<class T> Pack& operator+=(Pack& a, T b) { return a = a + b; }
+template<class T> Pack& operator-=(Pack& a, T b) { return a = a - b; }
+template<class T> Pack& operator*=(Pack& a, T b) { return a = a * b; }
+template<class T> Pack& operator/=(Pack& a, T b) { return a = a / b; }
+#endif
 
 /// Calls visit(0), ..., visit(N - 1), each with its number as a constant: a loop that the compiler has unrolled before it
 /// decides what lives in registers.
@@ -54,41 +88,49 @@ inline double multiply_add(double a, double b, double c)
 #endif
 }
 
-inline Pack maximum(Pack a, Pack b)
-{
 #if defined(__AVX512F__)
-    return _mm512_mask_max_pd(a, 0xff, a, b); // the masked form: GCC 12 warns of the plain one
-#else
-    return a > b ? a : b;
-#endif
-}
-inline Pack maximum(Pack a, double b) { return maximum(a, Pack{} + b); }
-
-inline Pack square_root(Pack a)
+inline Pack maximum(Pack a, Pack b) // the masked form: GCC 12 warns of the plain one
 {
-#if defined(__AVX512F__)
-    return _mm512_mask_sqrt_pd(a, 0xff, a);
-#else
-    for (int k = 0; k < pack_size; ++k) a[k] = std::sqrt(a[k]);
-    return a;
-#endif
+    return _mm512_mask_max_pd(a, 0xff, a, b);
 }
-
-inline Pack multiply_add(Pack a, Pack b, Pack c)
-{
-#if defined(__AVX512F__)
-    return _mm512_fmadd_pd(a, b, c);
-#else
-    for (int k = 0; k < pack_size; ++k) c[k] = multiply_add(a[k], b[k], c[k]);
-    return c;
-#endif
-}
-
+inline Pack square_root(Pack a) { return _mm512_mask_sqrt_pd(a, 0xff, a); }
+inline Pack multiply_add(Pack a, Pack b, Pack c) { return _mm512_fmadd_pd(a, b, c); }
 /// Lane by lane: `if_positive` where sign > 0, else `otherwise`.
 inline Pack select_positive(Pack sign, Pack if_positive, Pack otherwise)
 {
     return sign > Pack{} ? if_positive : otherwise;
 }
+#else
+inline HalfPack square_root(HalfPack a)
+{
+#if defined(__AVX__)
+    return _mm256_sqrt_pd(a);
+#else
+    for (int k = 0; k < 4; ++k) a[k] = std::sqrt(a[k]);
+    return a;
+#endif
+}
+inline HalfPack multiply_add(HalfPack a, HalfPack b, HalfPack c)
+{
+#if defined(__FMA__)
+    return _mm256_fmadd_pd(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+inline Pack maximum(Pack a, Pack b) { return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high}; }
+inline Pack square_root(Pack a) { return {square_root(a.low), square_root(a.high)}; }
+inline Pack multiply_add(Pack a, Pack b, Pack c)
+{
+    return {multiply_add(a.low, b.low, c.low), multiply_add(a.high, b.high, c.high)};
+}
+/// Lane by lane: `if_positive` where sign > 0, else `otherwise`.
+inline Pack select_positive(Pack sign, Pack if_positive, Pack otherwise)
+{
+    return {sign.low > 0.0 ? if_positive.low : otherwise.low, sign.high > 0.0 ? if_positive.high : otherwise.high};
+}
+#endif
+inline Pack maximum(Pack a, double b) { return maximum(a, Pack{} + b); }
 
 inline Pack load_pack(const double* from)
 {
@@ -97,12 +139,31 @@ inline Pack load_pack(const double* from)
     return pack;
 }
 
+#if defined(__AVX512F__)
 /// The 128-bit pieces 0 and 2 of `a`, then those of `b`; and the pieces 1 and 3.
 inline Pack even_pieces(Pack a, Pack b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
 inline Pack odd_pieces(Pack a, Pack b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
 /// The even lanes of `a` and `b` in turn; and the odd ones.
 inline Pack even_lanes(Pack a, Pack b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
 inline Pack odd_lanes(Pack a, Pack b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+#else
+inline Pack even_pieces(Pack a, Pack b)
+{
+    return {__builtin_shufflevector(a.low, a.high, 0, 1, 4, 5), __builtin_shufflevector(b.low, b.high, 0, 1, 4, 5)};
+}
+inline Pack odd_pieces(Pack a, Pack b)
+{
+    return {__builtin_shufflevector(a.low, a.high, 2, 3, 6, 7), __builtin_shufflevector(b.low, b.high, 2, 3, 6, 7)};
+}
+inline Pack even_lanes(Pack a, Pack b)
+{
+    return {__builtin_shufflevector(a.low, b.low, 0, 4, 2, 6), __builtin_shufflevector(a.high, b.high, 0, 4, 2, 6)};
+}
+inline Pack odd_lanes(Pack a, Pack b)
+{
+    return {__builtin_shufflevector(a.low, b.low, 1, 5, 3, 7), __builtin_shufflevector(a.high, b.high, 1, 5, 3, 7)};
+}
+#endif
 
 /// Turns eight rows of eight numbers into eight columns: out[c] holds component c of the rows 0..7.
 [[gnu::always_inline]] inline std::array<Pack, 8> transpose(const std::array<Pack, 8>& row)

@@ -84,7 +84,7 @@ public:
         for (std::size_t k = 0; k < order_; ++k) {
             const MirrorStep<D>& step = steps_[k];
             Pack s = along_normal<D>(image.x, step.normal) - step.offset;
-            if (has_own && k == 0) s[0] = s[0] > least_height_ ? s[0] : least_height_;
+            if (has_own && k == 0) set_first(s, maximum(s[0], least_height_));
             add_along_normal<D>(image.x, -2.0 * s, step.normal);
             image.slope[k] = image.ratio * inverse_c2 * step.pull;
             image.ratio = image.ratio - 2.0 * s * image.slope[k];

@@ -11,8 +11,11 @@ std::array<Pack, 8> random_rows()
 {
     sample::Noise noise(5);
     std::array<Pack, 8> rows;
-    for (Pack& row : rows)
-        for (int k = 0; k < pack_size; ++k) row[k] = noise();
+    for (Pack& row : rows) {
+        std::array<double, pack_size> numbers;
+        for (double& number : numbers) number = noise();
+        row = load_pack(numbers.data());
+    }
     return rows;
 }
 

@@ -104,7 +104,8 @@ TEST(Riemann, StrongShocksStayFinite)
 TEST(Riemann, PackGivesTheSameBits)
 {
     const FaceStates<Pack> faces{
-        {1.0, 1.01, 0.99, 1.2}, {0.1, -0.02, 0.3, 0.0}, {1.0, 0.98, 1.01, 0.9}, {-0.1, 0.01, 0.2, 0.0}};
+        joined(HalfPack{1.0, 1.01, 0.99, 1.2}, HalfPack{}), joined(HalfPack{0.1, -0.02, 0.3, 0.0}, HalfPack{}),
+        joined(HalfPack{1.0, 0.98, 1.01, 0.9}, HalfPack{}), joined(HalfPack{-0.1, 0.01, 0.2, 0.0}, HalfPack{})};
     const auto packed = ExactRiemann{}(faces);
     for (int k = 0; k < pack_size; ++k) {
         const auto one = ExactRiemann{}(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
