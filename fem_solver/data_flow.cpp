@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fem {
 namespace {
@@ -15,15 +14,6 @@ template<int D> double wave_speed(const SolidConfig& config)
 {
     const auto law = make_point_law<D>(make_material(config.material));
     return std::sqrt(law->tangent(Tensor<D>::Identity())(0, 0) / config.material.density);
-}
-
-/// Smallest side of the box around the body [m].
-double thickness(const Mesh& mesh)
-{
-    const Box box = bounding_box(mesh);
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < box.low.size(); ++k) smallest = std::min(smallest, box.high[k] - box.low[k]);
-    return smallest;
 }
 
 /// Faces of a group over all ranks.
@@ -46,7 +36,7 @@ coupler::DataFlow data_flow(const SolidConfig& config, const SolidModel& model, 
     flow.dt = config.time.dt;
     flow.density = config.material.density;
     flow.wave_speed = flow.dimension == 2 ? wave_speed<2>(config) : wave_speed<3>(config);
-    flow.thickness = thickness(model.mesh());
+    flow.thickness = bounding_box(model.mesh()).shortest_side();
     return flow;
 }
 

@@ -129,6 +129,9 @@ void SolidSimulation::run_modal()
         find_modes(model_.mesh(), forces, model_.supports(), motion_, loaded ? 1 : 0, config_.analysis.modes);
     for (std::size_t i = 0; i < modes.size(); ++i)
         session_.log().info(base::text("mode ", i + 1, ": ", modes[i].frequency(), " Hz"));
+    if (modes.front().angular_frequency < 0)
+        session_.log().warn("the state is unstable: a negative frequency is that of a motion that grows, "
+                            "-sqrt(-w^2)/(2 pi); the loads are beyond buckling");
     if (session_.is_root()) write_modes(session_.own_dir(), model_.mesh().dimension, modes);
     FieldFile fields(session_.own_dir(), model_.mesh(), forces.map(), session_.comm());
     write_shapes(fields, model_.mesh(), forces.map(), motion_, modes,

@@ -57,10 +57,14 @@ template<int D> base::JsonObject parallel_figures(const Domain<D>& domain, const
     return figures;
 }
 
-TimeStepSettings step_settings(const FluidConfig& config)
+TimeStepSettings step_settings(const FluidConfig& config, const coupler::Session& session)
 {
-    return {config.time.cfl, config.resolution.smoothing_length(), config.liquid.sound_speed, config.time.fixed_dt,
-            config.liquid.viscosity / config.liquid.density};
+    return {config.time.cfl,
+            config.resolution.smoothing_length(),
+            config.liquid.sound_speed,
+            config.time.fixed_dt,
+            config.liquid.viscosity / config.liquid.density,
+            session.coupled() ? session.coupling().scheme.solid_every : 1};
 }
 
 } // namespace
@@ -77,7 +81,7 @@ FluidSimulation<D>::FluidSimulation(const FluidConfig& config, coupler::Session&
       outflow_(make_outflow(config, model_)),
       step_(model_, RungeKutta(config.numerics.integrator), {domain_, search_, walls_, outflow_, session.timers()}),
       ledger_(model_),
-      time_step_(step_settings(config)),
+      time_step_(step_settings(config, session)),
       particles_(initial_particles<D>(config, model_, session.comm())),
       progress_(session.log(), config.time.start, end_time_)
 {
@@ -139,7 +143,7 @@ template<int D> void FluidSimulation<D>::advance()
         step_.advance(particles_, next_dt_);
         updates_ += static_cast<double>(particles_.owned.size());
         now_ = {now_.step + 1, now_.time + next_dt_, next_dt_, false};
-        if (meets_solid()) next_dt_ = time_step_.next(particles_, session_.comm()); // kept in between
+        next_dt_ = time_step_.next(particles_, session_.comm());
     } catch (const base::Error& error) {
         if (error.code() != base::ExitCode::numerical_failure) throw;
         throw base::Error(error.code(), base::text(error.what(), " (fluid rank ", session_.comm().rank(), ", step ",

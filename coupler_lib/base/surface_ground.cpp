@@ -5,6 +5,7 @@
 
 #include <unsupported/Eigen/BVH>
 
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -106,19 +107,18 @@ public:
 
     GroundPoint at(const Eigen::Vector3d& x) const override
     {
+        if (!x.allFinite()) return {.gap = std::numeric_limits<double>::quiet_NaN()}; // nothing is nearest
         NearestTriangle nearest{&mesh_, x};
         Eigen::BVMinimize(tree_, nearest);
         const auto& corners = mesh_.triangles[static_cast<std::size_t>(nearest.triangle)];
         const Simplex<3> triangle = mesh_.triangle(static_cast<std::size_t>(nearest.triangle));
         const Eigen::Vector3d area = area_vector(triangle), normal = area.normalized();
         const Eigen::Vector3d way = x - nearest.closest.point;
-        const double gap = normal.dot(x - triangle[0]);
-        if ((way - normal * normal.dot(way)).norm() <= flat * std::sqrt(area.norm()))
-            return {gap, normal, normal, Eigen::Matrix3d::Zero()};
-
         std::vector<std::size_t> on; // the corners that carry the nearest point
         for (std::size_t c = 0; c < 3; ++c)
             if (nearest.closest.weight[c] > flat) on.push_back(c);
+        if (on.size() == 3 || (way - normal * normal.dot(way)).norm() <= flat * std::sqrt(area.norm()))
+            return {normal.dot(x - triangle[0]), normal, normal, Eigen::Matrix3d::Zero()};
         if (on.size() == 1) return rounded(way, normals_.corner(corners[on[0]]), Eigen::Vector3d::Zero());
         return rounded(way, normals_.edge(corners[on[0]], corners[on[1]]),
                        (triangle[on[1]] - triangle[on[0]]).normalized());

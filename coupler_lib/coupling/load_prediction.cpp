@@ -14,14 +14,12 @@ public:
     void apply(SurfaceLoad& load, const std::vector<double>&, double dt) override
     {
         const double middle = time_ - 0.5 * last_dt_; // time_ is t_n
-        const bool has_last = steps_ > 0;
-        const double share = has_last ? (time_ + dt - middle) / (middle - last_middle_) : 0;
+        const double share = last_dt_ > 0 ? (time_ + dt - middle) / (middle - last_middle_) : 0;
         carry_on(load.force, last_force_, share);
         carry_on(load.pressure, last_pressure_, share);
         last_middle_ = middle;
         time_ += dt;
         last_dt_ = dt;
-        ++steps_;
     }
 
 private:
@@ -38,7 +36,6 @@ private:
 
     std::vector<double> last_force_, last_pressure_;
     double time_ = 0, last_dt_ = 0, last_middle_ = 0;
-    int steps_ = 0;
 };
 
 class SmoothedReference final : public LoadPrediction {

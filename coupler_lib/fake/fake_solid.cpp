@@ -59,8 +59,7 @@ public:
           piston_(config.piston),
           wet_(session.participant(), session.coupling().interface_settings(), surface_.wet()),
           filter_(session.coupling().scheme.acceleration == "nodal" ? 0 : session.coupling().scheme.acceleration_steps),
-          prediction_(session.coupling().scheme.load_prediction()),
-          serial_(session.coupling().scheme.serial())
+          prediction_(session.coupling().scheme.load_prediction())
     {
         if (session.is_root()) tables_.emplace(session.own_dir());
     }
@@ -68,19 +67,15 @@ public:
     void run()
     {
         if (meets_fault("start", 0) == Fault::leave) return;
-        Window window = wet_.receive(load_, fluid_);
-        answer(window); // greeting: where the surface is
-        while (!window.last) {
-            window = wet_.receive(load_, fluid_);
-            if (window.step == 0) piston_.start(surface_.axial(load_));
-            if (serial_ && window.step > 0 && !step(last_dt_, window.step)) return;
-            if (!answer(window)) return;
-            if (window.last) break;
-            last_dt_ = window.dt;
-            if (!serial_ && !step(window.dt, window.step)) return;
-        }
-        if (meets_fault("end", window.step) == Fault::leave) return;
-        session_.write_summary(summary(window));
+        answer(wet_.receive(load_, fluid_)); // greeting: where the surface is
+        window_ = wet_.receive(load_, fluid_);
+        piston_.start(surface_.axial(load_));
+        if (!answer(window_)) return;
+        const auto pass = session_.coupling().scheme.serial() ? &PistonRun::follow : &PistonRun::keep_pace;
+        while (!window_.last)
+            if (!(this->*pass)()) return;
+        if (meets_fault("end", window_.step) == Fault::leave) return;
+        session_.write_summary(summary());
     }
 
 private:
@@ -89,13 +84,30 @@ private:
         return act_out(config_.fault, moment, step, session_.comm().rank());
     }
 
-    /// Steps with the load received last. \return false: the fault "leave" ends the run here
-    bool step(double dt, std::int64_t number)
+    /// Parallel: the fluid makes this step at the same time. \return false: a fault ends the run here
+    bool keep_pace()
+    {
+        if (!step()) return false;
+        window_ = wet_.receive(load_, fluid_);
+        return answer(window_);
+    }
+
+    /// Serial: the fluid has made this step already. \return false: a fault ends the run here
+    bool follow()
+    {
+        const Window next = wet_.receive(load_, fluid_);
+        if (!step()) return false;
+        window_ = next;
+        return answer(window_);
+    }
+
+    /// The window's step with the load received last. \return false: the fault "leave" ends the run here
+    bool step()
     {
         Patience::nap(config_.run.sleep);
-        if (meets_fault("step", number) == Fault::leave) return false;
-        prediction_->apply(load_, motion().velocity, dt);
-        piston_.advance(load_of_step(), dt);
+        if (meets_fault("step", window_.step) == Fault::leave) return false;
+        prediction_->apply(load_, motion().velocity, window_.dt);
+        piston_.advance(load_of_step(), window_.dt);
         surface_.resultants(load_, piston_.displacement(), piston_.applied_load(), report_);
         return true;
     }
@@ -138,10 +150,10 @@ private:
         report_.wait = session_.comm().max(wet_.wait_seconds());
     }
 
-    base::JsonObject summary(const Window& window)
+    base::JsonObject summary()
     {
         base::JsonObject figures;
-        figures.set("steps", window.step)
+        figures.set("steps", window_.step)
             .set("wait_s", report_.wait)
             .set("bytes_received_rank0", wet_.bytes_received());
         return figures;
@@ -154,8 +166,7 @@ private:
     SolidInterface wet_;
     AccelerationFilter filter_;
     std::unique_ptr<LoadPrediction> prediction_;
-    bool serial_;
-    double last_dt_ = 0;
+    Window window_; ///< of the last packet
     SurfaceLoad load_;
     FluidReport fluid_;
     SolidReport report_;

@@ -68,10 +68,8 @@ public:
         if (!file_.next(Direction::sent, peer, then_)) return;
         ++verdict_->packets;
         if (verdict_->differs || same_packet(then_, packet)) return;
-        const PacketHeader header = PacketReader(then_).header();
         verdict_->differs = true;
-        verdict_->step = header.step;
-        verdict_->time = header.time;
+        verdict_->step = PacketReader(then_).header().step;
     }
     void await_taken(std::size_t) override {}
     double receive_all(const char* what, std::vector<std::vector<char>>& packets) override

@@ -15,7 +15,6 @@ struct ReplayVerdict {
     std::int64_t packets = 0; ///< compared so far
     bool differs = false;
     std::int64_t step = 0; ///< of the first packet that differs
-    double time = 0;       ///< [s]
 };
 
 /// Couriers that take from the recording what the partner sent then; nobody else is there. The rank's own file must come

@@ -35,11 +35,8 @@ SolidForces::SolidForces(const Mesh& mesh, const Material& material, const BodyS
     body_->add_mass(mass_);
     sparse_mass_ = mass_.pruned();
     body_->add_stiffness(Eigen::VectorXd::Zero(dofs()), initial_stiffness_);
-    const Box box = bounding_box(mesh);
-    double extent = 0;
-    for (std::size_t k = 0; k < box.low.size(); ++k) extent = std::max(extent, box.high[k] - box.low[k]);
-    const double elements = map_.team().sum(static_cast<double>(mesh.own_elements()));
-    element_size_ = extent * std::pow(elements, -1.0 / mesh.dimension); // about
+    const auto elements = static_cast<double>(all_elements(mesh));
+    element_size_ = bounding_box(mesh).longest_side() * std::pow(elements, -1.0 / mesh.dimension); // about
     round_off_ = std::numeric_limits<double>::epsilon() * map_.largest(initial_stiffness_.diagonal());
 }
 

@@ -69,7 +69,7 @@ Augmentation GroundContact::augment(const Motion& motion, double time)
     double worst = 0; // over the tolerated one
     std::size_t where = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        const double off = miss(k, next[k]);
+        const double off = points_[k].own ? miss(k, next[k]) : 0; // a copy knows part of its faces only
         if (off > worst) where = k;
         worst = std::max(worst, off);
     }

@@ -112,9 +112,11 @@ std::vector<double> Supports::reaction(const std::string& group, const Eigen::Ve
 {
     const int d = mesh_->dimension;
     std::vector<double> sum(d, 0.0);
-    for (const int node : mesh_->group_nodes(group))
-        for (int k = 0; k < d && node < mesh_->own_nodes(); ++k)
+    for (const int node : mesh_->group_nodes(group)) {
+        if (node >= mesh_->own_nodes()) continue;
+        for (int k = 0; k < d; ++k)
             if (fixed_[node * d + k]) sum[k] += forces[node * d + k];
+    }
     return mesh_->team().sum(std::move(sum));
 }
 

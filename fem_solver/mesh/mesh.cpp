@@ -89,6 +89,20 @@ std::string Mesh::describe_node(int i) const
 std::int64_t all_elements(const Mesh& mesh) { return mesh.team().sum(std::int64_t{mesh.own_elements()}); }
 std::int64_t all_nodes(const Mesh& mesh) { return mesh.team().sum(std::int64_t{mesh.own_nodes()}); }
 
+double Box::longest_side() const
+{
+    double side = 0;
+    for (std::size_t k = 0; k < low.size(); ++k) side = std::max(side, high[k] - low[k]);
+    return side;
+}
+
+double Box::shortest_side() const
+{
+    double side = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < low.size(); ++k) side = std::min(side, high[k] - low[k]);
+    return side;
+}
+
 Box bounding_box(const Mesh& mesh)
 {
     const auto d = static_cast<std::size_t>(mesh.dimension);

@@ -71,6 +71,9 @@ std::int64_t all_nodes(const Mesh& mesh);
 /// The axis-parallel box around the whole undeformed body, `dimension` numbers each [m]. Collective.
 struct Box {
     std::vector<double> low, high;
+
+    double longest_side() const;
+    double shortest_side() const;
 };
 Box bounding_box(const Mesh& mesh);
 

@@ -10,7 +10,7 @@
 namespace fem {
 
 /// The ranks that share one body: a communicator, or nobody but this rank, which then needs no MPI and no waiting.
-/// Every function but rank(), size() and is_root() is collective.
+/// Every function but rank(), size() and comm() is collective.
 class Team {
 public:
     /// This rank alone.
@@ -22,7 +22,6 @@ public:
 
     int rank() const { return comm_ ? comm_->rank() : 0; }
     int size() const { return comm_ ? comm_->size() : 1; }
-    bool is_root() const { return rank() == 0; }
     /// The communicator of a team of several ranks; null when alone.
     const base::Communicator* comm() const { return comm_ ? &*comm_ : nullptr; }
 

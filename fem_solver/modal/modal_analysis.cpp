@@ -9,22 +9,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace fem {
 namespace {
 
 constexpr double tolerance = 1e-10;
-/// The shift over trace K / trace M.
-constexpr double relative_shift = 1e-8;
+/// The first shift, and what counts as a rigid motion's w^2, over trace K / trace M.
+constexpr double relative_shift = 1e-8, relative_zero = 1e-12;
+
+/// The tenth makes it a hundred times trace K / trace M, below which nothing lies.
+constexpr int most_lowerings = 10;
 
 /// K and M of the unknowns that are not held; held ones keep a diagonal in K and none in M, so that their w^2 is infinite.
 struct Pencil {
     Matrix stiffness, mass;
+    double scale = 0; ///< trace K / trace M [1/s^2]
 };
 
 Matrix loaded_tangent(const SolidForces& forces, const Motion& state, double load_factor)
 {
     return forces.tangent(state, {0.0, 1.0, 0.0, load_factor, 0.0});
+}
+
+double trace(const DofMap& dofs, const Matrix& matrix)
+{
+    return dofs.team().sum(Eigen::VectorXd(matrix.diagonal()).head(dofs.own()).sum());
 }
 
 Pencil make_pencil(const SolidForces& forces, const Supports& supports, const Motion& state, double load_factor)
@@ -34,12 +44,8 @@ Pencil make_pencil(const SolidForces& forces, const Supports& supports, const Mo
     Pencil pencil{0.5 * (tangent + transposed), forces.mass()};
     supports.clear(pencil.stiffness, tangent.diagonal().mean());
     supports.clear(pencil.mass, 0);
+    pencil.scale = std::abs(trace(forces.map(), pencil.stiffness)) / trace(forces.map(), pencil.mass);
     return pencil;
-}
-
-double trace(const DofMap& dofs, const Matrix& matrix)
-{
-    return dofs.team().sum(Eigen::VectorXd(matrix.diagonal()).head(dofs.own()).sum());
 }
 
 /// SLEPc between its start and its end; PETSc runs before and after.
@@ -52,7 +58,7 @@ struct SlepcSession {
 /// SLEPc's solver with what it stands on.
 class EigenSolver {
 public:
-    EigenSolver(const Mesh& mesh, const DofMap& dofs, const Pencil& pencil, int count)
+    EigenSolver(const Mesh& mesh, const DofMap& dofs, const Pencil& pencil, int count, double shift)
         : stiffness_(mesh, dofs, pencil.stiffness), mass_(mesh, dofs, pencil.stiffness)
     {
         stiffness_.set(pencil.stiffness);
@@ -63,13 +69,30 @@ public:
         EPSSetDimensions(solver_, count, PETSC_DEFAULT, PETSC_DEFAULT);
         EPSSetTolerances(solver_, tolerance, 1000);
         EPSSetWhichEigenpairs(solver_, EPS_TARGET_MAGNITUDE);
-        EPSSetTarget(solver_, -relative_shift * trace(dofs, pencil.stiffness) / trace(dofs, pencil.mass));
+        EPSSetTarget(solver_, shift);
         choose_inversion();
     }
     ~EigenSolver() { EPSDestroy(&solver_); }
     EigenSolver(const EigenSolver&) = delete;
 
-    /// The number of pairs that converged.
+    /// Sylvester: as many w^2 lie below the shift as K - shift M = L D L^T has negative pivots.
+    int pairs_below_shift()
+    {
+        require_petsc(EPSSetUp(solver_), "factorise the stiffness");
+        ST transformation = nullptr;
+        KSP inverse = nullptr;
+        PC preconditioner = nullptr;
+        Mat factor = nullptr;
+        PetscInt negative = 0;
+        EPSGetST(solver_, &transformation);
+        STGetKSP(transformation, &inverse);
+        KSPGetPC(inverse, &preconditioner);
+        require_petsc(PCFactorGetMatrix(preconditioner, &factor), "show the factors");
+        require_petsc(MatGetInertia(factor, &negative, nullptr, nullptr), "count the pivots");
+        return static_cast<int>(negative);
+    }
+
+    /// The number of pairs that converged: the nearest to the shift.
     int solve()
     {
         require_petsc(EPSSolve(solver_), "find the modes");
@@ -101,14 +124,36 @@ private:
         STGetKSP(transformation, &inverse);
         KSPSetType(inverse, KSPPREONLY);
         KSPGetPC(inverse, &preconditioner);
-        PCSetType(preconditioner, PCLU);
+        PCSetType(preconditioner, PCCHOLESKY);
         require_petsc(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "choose MUMPS");
+        EPSSetOptionsPrefix(solver_, "modal_");
+        PetscOptionsSetValue(nullptr, "-modal_st_mat_mumps_icntl_13", "1"); // all pivots seen, on several ranks too
     }
 
     PetscMatrix stiffness_, mass_;
     SlepcSession slepc_;
     EPS solver_ = nullptr;
 };
+
+/// A solver whose shift no w^2 lies below, so that the pairs nearest to it are the lowest.
+std::unique_ptr<EigenSolver> make_solver_below_all(const Mesh& mesh, const DofMap& dofs, const Pencil& pencil,
+                                                   int count)
+{
+    double shift = -relative_shift * pencil.scale;
+    for (int lowered = 0; lowered <= most_lowerings; ++lowered, shift *= 10) {
+        auto solver = std::make_unique<EigenSolver>(mesh, dofs, pencil, count, shift);
+        if (solver->pairs_below_shift() == 0) return solver;
+    }
+    throw base::Error(base::ExitCode::numerical_failure,
+                      "the stiffness has no lowest w^2: check the material's moduli and the loads");
+}
+
+/// w of w^2; an unstable w^2 < 0 gives a negative one, a rigid motion's zero within round-off a zero.
+double signed_root(double square, double zero)
+{
+    if (square >= 0) return std::sqrt(square);
+    return square < -zero ? -std::sqrt(-square) : 0;
+}
 
 Mode describe(const DofMap& dofs, const Pencil& pencil, double square, Eigen::VectorXd shape, int dimension)
 {
@@ -117,7 +162,7 @@ Mode describe(const DofMap& dofs, const Pencil& pencil, double square, Eigen::Ve
     const DofMap::Largest largest = dofs.find_largest(shape);
     const double sign = dofs.team().sum(largest.entry >= 0 && shape[largest.entry] < 0 ? 1.0 : 0.0) > 0 ? -1 : 1;
     mode.shape = sign / scale * shape;
-    mode.angular_frequency = std::sqrt(std::max(square, 0.0));
+    mode.angular_frequency = signed_root(square, relative_zero * pencil.scale);
     const Eigen::VectorXd elastic = pencil.stiffness * mode.shape, inertia = pencil.mass * mode.shape;
     const Eigen::VectorXd sizes = pencil.stiffness.cwiseAbs() * mode.shape.cwiseAbs();
     mode.residual = dofs.largest(elastic - square * inertia) / dofs.largest(sizes);
@@ -157,13 +202,13 @@ std::vector<Mode> find_modes(const Mesh& mesh, const SolidForces& forces, const 
     base::require_input(count < free, "[analysis] modes = ", count, ": the body has ", free,
                         " unknowns that are not held; ask for fewer modes");
     const Pencil pencil = make_pencil(forces, supports, state, load_factor);
-    EigenSolver solver(mesh, dofs, pencil, count);
-    const int found = solver.solve();
+    const auto solver = make_solver_below_all(mesh, dofs, pencil, count);
+    const int found = solver->solve();
     base::require(found >= count, base::ExitCode::numerical_failure, "only ", found, " of ", count,
                   " modes converged: ask for fewer, or check the material's density and moduli");
     std::vector<Mode> modes;
     for (int i = 0; i < count; ++i) {
-        const auto [square, shape] = solver.pair(i);
+        const auto [square, shape] = solver->pair(i);
         modes.push_back(describe(dofs, pencil, square, shape, mesh.dimension));
     }
     std::ranges::sort(modes, {}, &Mode::angular_frequency);

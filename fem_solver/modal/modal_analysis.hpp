@@ -11,7 +11,8 @@ namespace fem {
 ///
 /// Krylov-Schur with shift and invert (SLEPc, MUMPS) about a small negative w^2: K - sigma M is then regular for bodies
 /// that nothing holds, too. The shift is 1e-8 of trace K over trace M, which is of the order of the highest w^2 of the
-/// mesh: small against what is sought, large against round-off.
+/// mesh: small against what is sought, large against round-off. While the factors of K - sigma M have negative pivots,
+/// some w^2 lie below: the state is unstable, and the shift is lowered tenfold, so that the lowest come first there, too.
 ///
 /// Of a tangent that is not symmetric its symmetric part is taken, see asymmetry.
 ///

@@ -3,8 +3,6 @@
 
 #include "coupler_lib/base/csv.hpp"
 
-#include <algorithm>
-
 namespace fem {
 
 void write_modes(const std::string& folder, int dimension, const std::vector<Mode>& modes)
@@ -25,9 +23,7 @@ void write_shapes(FieldFile& fields, const Mesh& mesh, const DofMap& dofs, const
                   const std::vector<Mode>& modes,
                   const std::function<std::vector<double>(const Eigen::VectorXd&)>& stress)
 {
-    const Box box = bounding_box(mesh);
-    double extent = 0;
-    for (std::size_t k = 0; k < box.low.size(); ++k) extent = std::max(extent, box.high[k] - box.low[k]);
+    const double extent = bounding_box(mesh).longest_side();
     Motion shown = state;
     fields.write(0, shown, stress(shown.displacement), {});
     for (std::size_t i = 0; i < modes.size(); ++i) {

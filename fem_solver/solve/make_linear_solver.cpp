@@ -19,17 +19,22 @@ bool slender(const Matrix& pattern)
     return static_cast<double>(pattern.rows()) * width * width <= band_work_limit;
 }
 
+/// What `automatic` stands for.
+Method chosen(Method asked, const DofMap& dofs, const Matrix& pattern)
+{
+    if (asked != Method::automatic) return asked;
+    return dofs.team().size() == 1 && slender(pattern) ? Method::banded : Method::petsc;
+}
+
 } // namespace
 
 std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
                                                  const Matrix& pattern)
 {
-    const bool alone = dofs.team().size() == 1;
-    Method method = settings.method;
-    base::require_input(alone || method == Method::automatic || method == Method::petsc,
+    const Method method = chosen(settings.method, dofs, pattern);
+    base::require_input(dofs.team().size() == 1 || method == Method::petsc,
                         "[linear_solver] method = \"banded\" and \"sparse\" run on one rank, not on ",
                         dofs.team().size(), "; \"mumps\", \"gamg\" and \"hypre\" run on several");
-    if (method == Method::automatic) method = alone && slender(pattern) ? Method::banded : Method::petsc;
     if (method == Method::banded) return std::make_unique<BandSolver>();
     if (method == Method::sparse) return std::make_unique<SparseSolver>();
     return std::make_unique<PetscSolver>(settings.petsc, mesh, dofs);
@@ -38,9 +43,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(const SolverSettings& settings,
 std::unique_ptr<LinearSolver> make_mass_solver(const SolverSettings& settings, const Mesh& mesh, const DofMap& dofs,
                                                const Matrix& pattern)
 {
-    const bool banded = settings.method == Method::banded ||
-                        (settings.method == Method::automatic && dofs.team().size() == 1 && slender(pattern));
-    if (banded) return std::make_unique<BandSolver>();
+    if (chosen(settings.method, dofs, pattern) == Method::banded) return std::make_unique<BandSolver>();
     return std::make_unique<PetscSolver>(PetscSettings{PetscSettings::Method::cg_jacobi, 1e-13, ""}, mesh, dofs);
 }
 

@@ -17,14 +17,21 @@ TimeStep::TimeStep(const TimeStepSettings& settings) : settings_(settings)
 
 template<int D> double TimeStep::next(const Particles<D>& particles, const base::Communicator& comm)
 {
+    if (used_ == 0) dt_ = choose(particles, comm);
+    used_ = (used_ + 1) % settings_.steps_of_one_length;
+    return dt_;
+}
+
+template<int D> double TimeStep::choose(const Particles<D>& particles, const base::Communicator& comm)
+{
     double largest = 0.0;
     for (const int i : particles.owned) largest = std::max(largest, particles.sound_speed[static_cast<std::size_t>(i)]);
     largest = comm.max(largest);
     if (settings_.fixed_dt > 0.0) return settings_.fixed_dt;
-    return choose(largest > 0.0 ? largest : settings_.sound_speed);
+    return on_ladder(largest > 0.0 ? largest : settings_.sound_speed);
 }
 
-double TimeStep::choose(double largest_sound_speed)
+double TimeStep::on_ladder(double largest_sound_speed)
 {
     constexpr double rungs_per_octave = 8.0;
     const double wanted = rungs_per_octave * std::log2(settings_.sound_speed / largest_sound_speed);

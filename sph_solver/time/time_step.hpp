@@ -13,6 +13,7 @@ struct TimeStepSettings {
     double sound_speed = 0.0;      ///< c0 [m/s], the foot of the ladder
     double fixed_dt = 0.0;         ///< [s]; 0: follow the sound speed
     double viscosity = 0.0;        ///< kinematic, nu [m^2/s]
+    int steps_of_one_length = 1;   ///< a step is chosen anew after so many
 };
 
 /// Chooses dt on a ladder of steps, so that it stays the same for long and the solid may keep its factorised matrix:
@@ -34,10 +35,13 @@ public:
     void set_rung(int rung) { rung_ = rung; }
 
 private:
-    double choose(double largest_sound_speed);
+    template<int D> double choose(const Particles<D>& particles, const base::Communicator& comm);
+    double on_ladder(double largest_sound_speed);
 
     TimeStepSettings settings_;
     int rung_ = 0;
+    double dt_ = 0.0;
+    int used_ = 0; ///< of the steps of one length
 };
 
 } // namespace sph

@@ -143,6 +143,14 @@ TEST(SurfaceGround, EndsAtItsRim)
     EXPECT_NEAR(ground->at({1.0, 0.5, -0.1}).gap, -0.1, 1e-15);
 }
 
+/// What has diverged touches nothing, and does not crash.
+TEST(SurfaceGround, HasNoGapToAPointThatIsNoNumber)
+{
+    const auto ground = make_surface_ground(cube(), "cube");
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+        EXPECT_TRUE(std::isnan(ground->at({0.5, bad, 0.5}).gap));
+}
+
 TEST(SurfaceGround, RefusesWhatIsNoSurface)
 {
     const Vector3d a(0, 0, 0), b(1, 0, 0);

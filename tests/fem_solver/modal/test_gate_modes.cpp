@@ -17,12 +17,12 @@ Eigen::Vector3d frequencies(const Gate& gate)
     return {modes[0].frequency(), modes[1].frequency(), modes[2].frequency()};
 }
 
+const Eigen::Vector3d continuum(14.740, 90.386, 244.997); // [Hz]
+
 TEST(GateModes, QuadraticElements)
 {
     const Eigen::Vector3d f = frequencies(Gate(ElementType::quad8, rubber()));
-    EXPECT_NEAR(f[0] / 14.740, 1, 0.01);
-    EXPECT_NEAR(f[1] / 90.386, 1, 0.01);
-    EXPECT_NEAR(f[2] / 244.997, 1, 0.01);
+    EXPECT_LT((f.cwiseQuotient(continuum).array() - 1).abs().maxCoeff(), 0.01);
     EXPECT_NEAR(frequencies(Gate(ElementType::quad8, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.01);
 }
 
@@ -37,9 +37,7 @@ TEST(GateModes, NearlyIncompressibleWithAPressureField)
 TEST(GateModes, LinearElementsWithAndWithoutTheirCure)
 {
     const Eigen::Vector3d f = frequencies(Gate(ElementType::quad4, rubber()));
-    EXPECT_NEAR(f[0] / 14.740, 1, 0.02);
-    EXPECT_NEAR(f[1] / 90.386, 1, 0.02);
-    EXPECT_NEAR(f[2] / 244.997, 1, 0.02);
+    EXPECT_LT((f.cwiseQuotient(continuum).array() - 1).abs().maxCoeff(), 0.02);
     EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499)))[0] / 15.63, 1, 0.02);
     EXPECT_NEAR(frequencies(Gate(ElementType::quad4, rubber(12e6, 0.499), {false, Formulation::standard}))[0], 47.2,
                 0.5); // locked

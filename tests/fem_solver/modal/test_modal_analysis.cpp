@@ -89,6 +89,31 @@ TEST(Modes, OfALoadedStateTakeFollowerLoadsAlong)
     EXPECT_NE(block.modes(1, 1)[0].frequency(), block.modes(1, 0)[0].frequency());
 }
 
+/// A clamped column under so many times Euler's strain, pi^2 h^2/(48 L^2). Exact for a slender beam, EI y'''' + P y'' = rho A w^2 y
+/// with the force P kept upright (EI y''' + P y' = 0 at the end): w^2/w_1^2, from the roots of the characteristic determinant.
+TEST(Modes, OfABuckledColumnAreNegative)
+{
+    const double length = 0.1, thickness = 0.005;
+    Block column({ElementType::quad8, {0, 0}, {length, thickness}, {20, 2}},
+                 SaintVenantKirchhoff{Lame::from_young(12e6, 0)});
+    column.supports.fix("left", {"x", "y"});
+    const auto lowest = [&](double load, int count) {
+        Motion state = Motion::at_rest(column.forces.dofs());
+        const double strain = load * M_PI * M_PI / 48 * std::pow(thickness / length, 2);
+        for (int i = 0; i < column.mesh.nodes(); ++i) state.displacement[2 * i] = -strain * column.mesh.node(i)[0];
+        const double w = find_modes(column.mesh, column.forces, column.supports, state, 0, count)[0].angular_frequency;
+        return std::copysign(w * w, w);
+    };
+    const double free = lowest(0, 1);
+    EXPECT_GT(lowest(0.95, 1), 0);
+    EXPECT_LT(lowest(1.05, 1), 0);
+    const std::pair<double, double> exact[] = {{0.5, 0.519641}, {2.0, -1.210036}, {20.0, -195.600}};
+    for (const auto& [load, square] : exact) { // the last far below the first shift
+        EXPECT_NEAR(lowest(load, 2) / free / square, 1, 0.01) << load;
+        EXPECT_NEAR(lowest(load, 1) / lowest(load, 2), 1, 1e-6) << load; // asked for alone it is still the lowest
+    }
+}
+
 TEST(Modes, AskedForAreThere)
 {
     Block block({ElementType::quad4, {0, 0}, {0.1, 0.02}, {4, 1}}, elastic(0.3));
