@@ -30,7 +30,8 @@ coupler::DataFlow data_flow(const SolidConfig& config, const SolidModel& model, 
 {
     coupler::DataFlow flow;
     flow.dimension = model.mesh().dimension;
-    flow.fields = coupler::interface_fields(flow.dimension, session.coupling().interface.load, false);
+    flow.fields =
+        coupler::interface_fields(flow.dimension, session.coupling().interface_of(session.role()), session.role());
     for (const auto& group : config.interface.groups) flow.groups.emplace_back(group, count_faces(model.mesh(), group));
     flow.end = config.time.end;
     flow.dt = config.time.dt;

@@ -5,9 +5,9 @@
 namespace fem {
 namespace {
 
-InterfaceLoadSettings load_settings(const coupler::CouplingConfig& coupling)
+InterfaceLoadSettings load_settings(const coupler::InterfaceConfig& interface, const coupler::SchemeConfig& scheme)
 {
-    return {coupling.interface.load == "averaged", coupling.scheme.impedance_share()};
+    return {interface.load_kind() == coupler::LoadKind::averaged, scheme.impedance_share()};
 }
 
 int acceleration_steps(const coupler::SchemeConfig& scheme)
@@ -19,14 +19,15 @@ int acceleration_steps(const coupler::SchemeConfig& scheme)
 
 void SolidSimulation::run_coupled()
 {
-    const auto& coupling = session_.coupling();
+    const coupler::SchemeConfig& scheme = session_.coupling().scheme;
+    const coupler::InterfaceConfig interface = session_.coupling().interface_of(session_.role());
     prepare();
-    loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(coupling));
-    fluid_.emplace(session_.participant(), coupling.interface_settings(), *boundary_,
-                   acceleration_steps(coupling.scheme), coupling.scheme.load_prediction());
+    loads_.emplace(model_.mesh(), *boundary_, model_.forces(), load_settings(interface, scheme));
+    fluid_.emplace(session_.participant(), interface.settings(session_.role()), *boundary_, acceleration_steps(scheme),
+                   scheme.load_prediction());
     answer(fluid_->receive()); // greeting: where the body is
     answer_first(fluid_->receive());
-    coupling.scheme.serial() ? follow_the_fluid() : keep_pace_with_the_fluid();
+    scheme.serial() ? follow_the_fluid() : keep_pace_with_the_fluid();
     finish(base::JsonObject()
                .set("wait_s", fluid_->wait_seconds())
                .set("bytes_received", fluid_->bytes_received())

@@ -176,7 +176,7 @@ template<int D> void FluidSimulation<D>::exchange()
     row_wanted_ = row_wanted_ || output_->row_due();
     if (!meets_solid()) return solid_->coast(now_.dt);
     if (!now_.last && now_.step > 0) step_.settle(particles_, next_dt_); // asks for facets where the particles will be
-    solid_->exchange({now_.step, now_.time, next_dt_, now_.last, stopping_}, particles_, ledger_);
+    solid_->exchange({now_.step, now_.time, next_dt_, now_.last, stopping_}, particles_);
     if (row_wanted_) solid_->write_row();
     row_wanted_ = false;
 }

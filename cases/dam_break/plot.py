@@ -20,7 +20,7 @@ WALLS = [[(0, 0.6), (0, 0), (1.61, 0), (1.61, 0.6)]]
 
 def water(run: RunFolder):
     file = open_fields(run.file("fluid/fields.h5"))
-    return snapshot_figure(file, None, TIMES, View((-0.03, 1.64, -0.03, 0.6), HEAD, 0.0025, WALLS)) if file else None
+    return snapshot_figure(file, [], TIMES, View((-0.03, 1.64, -0.03, 0.6), HEAD, 0.0025, WALLS)) if file else None
 
 
 def curves(run: RunFolder):

@@ -31,7 +31,7 @@ def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
     particles = len(water.read(0).points) if water and water.steps else 14000
     spacing = np.sqrt(WATER_WIDTH * WATER_HEIGHT / particles)
     view = View((-0.006, 0.235, -0.006, 0.148), pressure=1000 * 9.81 * WATER_HEIGHT, spacing=spacing, walls=WALLS)
-    return snapshot_figure(water, solid, times, view, columns)
+    return snapshot_figure(water, [solid], times, view, columns)
 
 
 def tip(run: RunFolder):

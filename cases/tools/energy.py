@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The energy of fluid and solid together, from the energy.csv of both.
+"""The energy of the fluid and its solids together, from the energy.csv of each.
 
     drift(t) = (E_f + E_s - W_external)(t) - the same at 0
 
@@ -48,29 +48,30 @@ def solid_energy(table: Table) -> np.ndarray:
 
 
 def energy_sum(run: RunFolder) -> EnergySum | None:
-    """Both energies at the fluid's instants (the solid's interpolated there); None where neither file is there."""
-    fluid, solid = run.table("fluid/energy.csv"), run.table("solid/energy.csv")
-    if fluid is None and solid is None:
+    """All energies at the fluid's instants (the solids' interpolated there); None where no file is there."""
+    fluid = run.table("fluid/energy.csv")
+    solids = [table for side in run.solids() or ["solid"] if (table := run.table(f"{side}/energy.csv")) is not None]
+    if fluid is None and not solids:
         return None
-    either = fluid if fluid is not None else solid
-    t = either["t"]
+    first = fluid if fluid is not None else solids[0]
+    t = first["t"]
     zero = np.zeros(len(t))
-    external = zero.copy()
-    if fluid is not None:
-        external = external + fluid.get("work_by_walls")
-    if solid is not None:
+    external = zero + (fluid.get("work_by_walls") if fluid is not None else 0)
+    in_solids = zero.copy()
+    for solid in solids:
+        in_solids += np.interp(t, solid["t"], solid_energy(solid))
         for name in ("work_supports", "work_loads"):
             external = external + np.interp(t, solid["t"], solid.get(name))
-    return EnergySum(t, fluid_energy(fluid) if fluid is not None else zero,
-                     np.interp(t, solid["t"], solid_energy(solid)) if solid is not None else zero,
-                     external, either.unit("kinetic") or "J")
+    return EnergySum(t, fluid_energy(fluid) if fluid is not None else zero, in_solids, external,
+                     first.unit("kinetic") or "J")
 
 
 def write_energy_total(run: RunFolder) -> EnergySum | None:
     """Writes energy_total.csv into the run, unless it is there already or one side's energies are missing."""
     energies = energy_sum(run)
     path: Path = run.path / "energy_total.csv"
-    if energies is None or path.exists() or any(run.table(f"{side}/energy.csv") is None for side in ("fluid", "solid")):
+    if energies is None or path.exists() or not run.solids() or any(
+            run.table(f"{side}/energy.csv") is None for side in ("fluid", *run.solids())):
         return energies
     columns = ("fluid", "solid", "total", "external_work", "drift")
     header = "t[s]," + ",".join(f"{name}[{energies.unit}]" for name in columns)

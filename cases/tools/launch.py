@@ -13,11 +13,11 @@ ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": 
 
 
 def mpirun_line(case: Path, programs: Path, out: Path, ranks: tuple[int, int], settings: list[str]) -> list[str]:
-    """The command: `ranks` are those of the fluid and of the solid; `settings` are KEY=VALUE overrides."""
+    """The command: `ranks` are those of the fluid and of each solid; `settings` are KEY=VALUE overrides."""
     line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
     overrides = [word for setting in settings for word in ("--set", setting)]
     for index, (role, program, file) in enumerate(participants(case)):
-        line += [":"] * (index > 0) + ["-n", str(ranks[1] if role == "solid" else ranks[0])]
+        line += [":"] * (index > 0) + ["-n", str(ranks[0] if role == "fluid" else ranks[1])]
         line += [str(programs / program), str(file), "--as", role, "--out", str(out), *overrides]
     return line
 

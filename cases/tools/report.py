@@ -16,7 +16,7 @@ from expectations import check
 from figure_style import as_image
 from report_figures import energy_figure, interface_figure, probe_figure, wait_figure
 from report_page import columns, missing_note, page, picture, section
-from report_tables import SIDES, expectation_table, run_figures, time_table
+from report_tables import expectation_table, run_figures, time_table
 from run_folder import RunFolder
 
 CASES = Path(__file__).resolve().parent.parent
@@ -29,7 +29,7 @@ def case_pictures(run: RunFolder, case: Path) -> list[str]:
     """What the case's own plot.py draws; a case without one shows its probes."""
     path = case / "plot.py"
     if not path.exists():
-        figures = [(probe_figure(run, side), "svg", "") for side in SIDES]
+        figures = [(probe_figure(run, side), "svg", "") for side in run.sides()]
     else:
         spec = importlib.util.spec_from_file_location(f"plot_{case.name}", path)
         module = importlib.util.module_from_spec(spec)
@@ -43,10 +43,10 @@ def image_of(figure, alt: str) -> str:
     return as_image(figure, "svg", alt) if figure is not None else ""
 
 
-def subtitle(case: Path, summary: dict) -> str:
+def subtitle(run: RunFolder, case: Path, summary: dict) -> str:
     readme = case / "README.md"
     title = readme.read_text(encoding="utf-8").splitlines()[0].lstrip("# ") if readme.exists() else ""
-    parts = [summary[side] for side in SIDES if side in summary]
+    parts = [summary[side] for side in run.sides() if side in summary]
     names = sorted({f"Rivage {part['version']}, commit {part.get('commit', '?')}" for part in parts
                     if "version" in part})
     return " · ".join(part for part in (title, *names) if part)
@@ -61,14 +61,16 @@ def write_report(folder: Path, case: Path) -> Path:
         run_figures(run, summary, energies),
         *case_pictures(run, case),
         section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"), ENERGY_NOTE)),
-        section("Interface", picture(image_of(interface_figure(run), "interface force and work"), INTERFACE_NOTE)),
+        *(section(f"Interface {name}", picture(image_of(interface_figure(table), "interface force and work"), INTERFACE_NOTE))
+          for name, table in run.interfaces().items()),
         section("Expected and found", expectation_table(check(run, case))),
-        section("Time", picture(image_of(wait_figure(run), "waits"), summary.get("wait_balance", "")),
-                columns(*(time_table(side, summary.get(side, {})) for side in SIDES))),
+        section("Time", *(picture(image_of(wait_figure(name, table), "waits"), summary.get("wait_balance", ""))
+                          for name, table in run.interfaces().items()),
+                columns(*(time_table(side, summary.get(side, {})) for side in run.sides()))),
     ]
     body.insert(1, missing_note(run.missing))
     path = folder / "report.html"
-    path.write_text(page(case.name.replace("_", " "), subtitle(case, summary), body), encoding="utf-8")
+    path.write_text(page(case.name.replace("_", " "), subtitle(run, case, summary), body), encoding="utf-8")
     return path
 
 

@@ -25,9 +25,9 @@ def energy_figure(run: RunFolder, energies: EnergySum | None):
 def draw_drift(axes, run: RunFolder, energies: EnergySum) -> None:
     """The drift as a line over the stack of what was dissipated: where the two part, the balance is not closed."""
     parts = []
-    for side, columns in DISSIPATIONS.items():
+    for side in run.sides():
         table = run.table(f"{side}/energy.csv")
-        for name, label in columns:
+        for name, label in DISSIPATIONS["fluid" if side == "fluid" else "solid"]:
             if table is not None and name in table and np.any(table[name]):
                 parts.append((f"{label}: {table[name][-1]:.3g}", np.interp(energies.t, table["t"], table[name])))
     if parts:
@@ -67,11 +67,8 @@ def draw_forces(axes, interface: Table) -> None:
     axes.legend()
 
 
-def interface_figure(run: RunFolder):
+def interface_figure(interface: Table):
     """Force and work on both sides of the interface, and the share of the work that gets lost between them."""
-    interface = run.table("coupling/interface.csv")
-    if interface is None:
-        return None
     figure, (forces, works, mismatch) = plt.subplots(1, 3, figsize=(11.5, 3.2), layout="constrained")
     draw_forces(forces, interface)
     unit = interface.unit("work_on_solid") or "J/m"
@@ -86,14 +83,14 @@ def interface_figure(run: RunFolder):
     return figure
 
 
-def wait_figure(run: RunFolder):
+def wait_figure(name: str, interface: Table):
     """How long each side has waited for the other, summed over the steps, on the wall clock."""
-    interface = run.table("coupling/interface.csv")
-    if interface is None or "wait_fluid" not in interface:
+    if "wait_fluid" not in interface:
         return None
+    name = name or "the solid"
     figure, axes = plt.subplots(figsize=(5.6, 2.6), layout="constrained")
-    draw(axes, interface["t"], interface["wait_fluid"], color=FLUID, label="fluid waited for the solid")
-    draw(axes, interface["t"], interface["wait_solid"], color=SOLID, label="solid waited for the fluid")
+    draw(axes, interface["t"], interface["wait_fluid"], color=FLUID, label=f"fluid waited for {name}")
+    draw(axes, interface["t"], interface["wait_solid"], color=SOLID, label=f"{name} waited for the fluid")
     axes.set(title="Who waited for whom", xlabel="t [s]", ylabel="wall time [s]", ylim=(0, None))
     axes.legend()
     return figure

@@ -9,9 +9,6 @@ from report_figures import worst_mismatch
 from report_page import key_figures, table
 from run_folder import RunFolder
 
-SIDES = ("fluid", "solid")
-
-
 def short(value, digits: int = 4) -> str:
     """A number as a reader wants it: thousands apart, few digits."""
     if not isinstance(value, (int, float)):
@@ -26,14 +23,14 @@ def run_figures(run: RunFolder, summary: dict, energies: EnergySum | None) -> st
     pairs = []
     if energies is not None:
         pairs.append(("physical time [s]", short(float(energies.t[-1]))))
-    for side in SIDES:
+    for side in run.sides():
         part = summary.get(side, {})
         if "ranks" in part:
             pairs.append((f"{side}: ranks", short(part["ranks"])))
         for key, name in (("particles", "particles"), ("nodes", "nodes"), ("steps", "steps")):
             if key in part:
                 pairs.append((f"{side}: {name}", short(part[key])))
-    wall = max((summary.get(side, {}).get("wall_s", 0.0) for side in SIDES), default=0.0)
+    wall = max((summary.get(side, {}).get("wall_s", 0.0) for side in run.sides()), default=0.0)
     if wall > 0:
         pairs.append(("wall time", f"{wall:.1f} s" if wall < 120 else f"{wall / 60:.1f} min"))
     updates = summary.get("fluid", {}).get("particle_updates_per_s")
@@ -41,10 +38,9 @@ def run_figures(run: RunFolder, summary: dict, energies: EnergySum | None) -> st
         pairs.append(("particle updates per second", f"{updates / 1e6:.3g} million"))
     if energies is not None:
         pairs.append((f"energy drift at the end [{energies.unit}]", short(float(energies.drift[-1]), 3)))
-    interface = run.table("coupling/interface.csv")
-    if interface is not None:
-        pairs.append(("interface work mismatch, largest over peak", f"{100 * worst_mismatch(interface):.3g} %"))
-    for side in SIDES:
+    for name, interface in run.interfaces().items():
+        pairs.append((f"interface {name} work mismatch, largest over peak", f"{100 * worst_mismatch(interface):.3g} %"))
+    for side in run.sides():
         if "state_hash" in summary.get(side, {}):
             pairs.append((f"{side}: state hash", str(summary[side]["state_hash"])))
     return key_figures(pairs)

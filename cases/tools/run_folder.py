@@ -79,6 +79,20 @@ class RunFolder:
             self.tables[name] = table if table is not None and len(table) > 0 else None
         return self.tables[name]
 
+    def sides(self) -> list[str]:
+        """The participants that left an account, the fluid first; a run that left none is taken for fluid and solid."""
+        names = {path.parent.name for path in self.path.glob("*/energy.csv")} | {path.parent.name for path in self.path.glob("*/summary.json")}
+        return sorted(names or {"fluid", "solid"}, key=lambda name: (name != "fluid", name))
+
+    def solids(self) -> list[str]:
+        return [side for side in self.sides() if side != "fluid"]
+
+    def interfaces(self) -> dict[str, Table]:
+        """The table of each interface, under the name of its solid where there are several."""
+        several = {path.suffixes[0][1:]: self.table(f"coupling/{path.name}") for path in sorted(self.path.glob("coupling/interface.*.csv"))}
+        found = several or {"": self.table("coupling/interface.csv")}
+        return {name: table for name, table in found.items() if table is not None}
+
     def summary(self) -> dict:
         path = self.file("summary.json")
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws one instant of a coupled run: water coloured by pressure, the solid's mesh deformed, the rigid walls."""
+"""Draws one instant of a coupled run: water coloured by pressure, the solids' meshes deformed, the rigid walls."""
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -44,26 +44,26 @@ def draw_solid(axes, step: FieldStep) -> None:
     axes.add_collection(PolyCollection(corners, facecolors="#f0b27a", edgecolors=SOLID, linewidths=0.25))
 
 
-def draw_step(axes, water: FieldStep | None, solid: FieldStep | None, view: View):
+def draw_step(axes, water: FieldStep | None, solids: list[FieldStep], view: View):
     """One panel; returns the scatter that carries the colours, or None."""
     low_x, high_x, low_y, high_y = view.window
     axes.set(xlim=(low_x, high_x), ylim=(low_y, high_y), aspect="equal")
     axes.grid(False)
     axes.add_collection(LineCollection(view.walls, colors="#444444", linewidths=1.4))
     colours = draw_water(axes, water, view) if water is not None else None
-    if solid is not None:
+    for solid in solids:
         draw_solid(axes, solid)
     return colours
 
 
-def snapshot_figure(water_file, solid_file, times, view: View, columns: int = 4):
+def snapshot_figure(water_file, solid_files: list, times, view: View, columns: int = 4):
     """A figure with one panel for each of the times [s] the run has reached; None where it reached none."""
     panels = []
     for time in times:
         water = water_file.nearest(time) if water_file else None
-        solid = solid_file.nearest(time) if solid_file else None
-        if water is not None or solid is not None:
-            panels.append((water, solid))
+        solids = [step for file in solid_files if file and (step := file.nearest(time)) is not None]
+        if water is not None or solids:
+            panels.append((water, solids))
     if not panels:
         return None
     rows = -(-len(panels) // columns)
@@ -78,9 +78,9 @@ def snapshot_figure(water_file, solid_file, times, view: View, columns: int = 4)
         if index >= len(panels):
             axes.axis("off")
             continue
-        water, solid = panels[index]
-        colours = draw_step(axes, water, solid, view) or colours
-        axes.set_title(f"t = {(water or solid).time:.3f} s", fontsize=9)
+        water, solids = panels[index]
+        colours = draw_step(axes, water, solids, view) or colours
+        axes.set_title(f"t = {(water or solids[0]).time:.3f} s", fontsize=9)
         axes.tick_params(labelsize=7, labelleft=index % columns == 0, labelbottom=index + columns >= len(panels))
         if index % columns == 0:
             axes.set_ylabel("y [m]", fontsize=8)

@@ -24,8 +24,7 @@ public:
     std::string where(const std::string& path) const;
 
     /// The table [path]; absent: its defaults, or an error when it has a required key. Path "" is the root.
-    template <class T>
-    T table(const std::string& path, const Table<T>& description)
+    template<class T> T table(const std::string& path, const Table<T>& description)
     {
         T object{};
         read_table(path, node_at(path), description.doc(), description.keys(), &object);
@@ -33,8 +32,7 @@ public:
     }
 
     /// The array of tables [[path]], possibly empty.
-    template <class T>
-    std::vector<T> tables(const std::string& path, const Table<T>& description)
+    template<class T> std::vector<T> tables(const std::string& path, const Table<T>& description)
     {
         std::vector<T> objects;
         for (const ConfigNode* node : elements_at(path)) {
@@ -46,12 +44,21 @@ public:
         return objects;
     }
 
+    /// The table [path] (absent: its defaults), or each of the tables [[path]].
+    template<class T> std::vector<T> one_or_more(const std::string& path, const Table<T>& description)
+    {
+        const ConfigNode* node = node_at(path);
+        if (node && node->is_array()) return tables(path, description);
+        return {table(path, description)};
+    }
+
     /// The tables [path.NAME] with their names, in the order of the file.
-    template <class T>
+    template<class T>
     std::vector<std::pair<std::string, T>> named_tables(const std::string& path, const Table<T>& description)
     {
         std::vector<std::pair<std::string, T>> objects;
-        for (const std::string& name : names_at(path)) objects.emplace_back(name, table(path + "." + name, description));
+        for (const std::string& name : names_at(path))
+            objects.emplace_back(name, table(path + "." + name, description));
         if (describing_) table(path + ".NAME", description);
         return objects;
     }
@@ -79,9 +86,9 @@ private:
     ConfigDocument document_;
     bool describing_ = false;
     std::set<const ConfigNode*> claimed_;
-    std::set<std::pair<const ConfigNode*, std::string>> known_keys_;  ///< (table, key) pairs that exist in the language
+    std::set<std::pair<const ConfigNode*, std::string>> known_keys_; ///< (table, key) pairs that exist in the language
     std::set<std::string> known_paths_;
     std::string used_, help_;
 };
 
-}  // namespace base
+} // namespace base

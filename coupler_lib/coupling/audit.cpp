@@ -34,8 +34,8 @@ std::vector<std::string> InterfaceAudit::columns() const
         for (const auto& axis : axes) names.push_back("force_" + std::string(side) + axis + newton);
         for (const auto& turn : turns) names.push_back("moment_" + std::string(side) + turn + moment);
     }
-    names.insert(names.end(), {"work_on_fluid" + joule, "work_on_solid" + joule, "jump_work" + joule, "mismatch[-]",
-                               "wait_fluid[s]", "wait_solid[s]"});
+    names.insert(names.end(), {"work_on_fluid" + joule, "work_on_solid" + joule, "jump_work" + joule,
+                               "lag_work" + joule, "mismatch[-]", "wait_fluid[s]", "wait_solid[s]"});
     return names;
 }
 
@@ -49,8 +49,8 @@ std::vector<double> InterfaceAudit::row() const
         values.insert(values.end(), force.begin(), force.begin() + axes);
         values.insert(values.end(), dimension_ == 2 ? moment.end() - 1 : moment.begin(), moment.end());
     }
-    values.insert(values.end(),
-                  {work_on_fluid_, work_on_solid_, fluid_.jump_work, mismatch_, fluid_.wait, solid_.wait});
+    values.insert(values.end(), {work_on_fluid_, work_on_solid_, fluid_.jump_work, work_on_solid_ - fluid_.path_work,
+                                 mismatch_, fluid_.wait, solid_.wait});
     return values;
 }
 

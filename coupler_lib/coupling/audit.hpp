@@ -11,6 +11,7 @@ namespace coupler {
 ///
 ///     W_fluid  = -(work_on_solid + jump_work)           work on the fluid, by the fluid's own account [J]
 ///     W_solid  = SolidReport::work                      work on the solid, by the solid's account [J]
+///     W_lag    = W_solid - FluidReport::path_work       because the solid got each load late, and averaged or predicted [J]
 ///     mismatch = |W_fluid + W_solid| / max over time of max(|W_fluid|, |W_solid|)     [-]
 ///
 /// Works are cumulated since the start; both reports of a row belong to the same instant.

@@ -8,28 +8,16 @@
 #include "coupler_lib/coupling/surface_guards.hpp"
 
 namespace coupler {
-namespace {
-
-std::vector<int> solid_ranks(const Participant& participant, const std::string& partner)
-{
-    base::require_input(participant.coupled(), "an interface needs a partner, but '", participant.role(),
-                        "' runs alone");
-    return partner.empty() ? participant.partner_ranks() : participant.ranks_of(partner);
-}
-
-} // namespace
-
 struct FluidInterface::Parts {
     Parts(Participant& participant_, InterfaceSettings settings_, int dimension)
         : participant(participant_),
           settings(std::move(settings_)),
           own_name(participant_.name_of(participant_.world_rank())),
-          exchange(participant_, solid_ranks(participant_, settings.partner), Field::load),
+          exchange(participant_, participant_.partner_ranks(settings.partner), Field::load),
           received(exchange.size()),
           load_writer(participant_.comm().size() == 1)
     {
         batch.dimension = dimension;
-        base::require_input(exchange.size() > 0, "no rank of '", settings.partner, "' takes part in this run");
     }
 
     bool take_topology(std::vector<PacketReader>& packets);

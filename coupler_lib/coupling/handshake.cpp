@@ -121,8 +121,8 @@ HandshakeResult lead(const Introduction& mine, double timeout)
                           base::text("world rank ", list_of_silent(answered),
                                      " called MPI_Init but did not introduce itself within ", timeout,
                                      " s: either it is no program of Rivage, or it hangs while reading its files. ",
-                                     "Check the segments of the mpirun command",
-                                     mine.launch_advice.empty() ? "" : ":\n    ", mine.launch_advice)};
+                                     "Check the segments of the mpirun command", mine.launch.empty() ? "" : ":\n    ",
+                                     launch_line(mine.launch))};
     const std::string answer = pack(result);
     for (std::size_t rank = 1; rank < ranks; ++rank)
         if (answered[rank]) send_text(answer, static_cast<int>(rank), verdict_tag);

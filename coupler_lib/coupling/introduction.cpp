@@ -6,6 +6,17 @@
 
 namespace coupler {
 
+std::string launch_line(const std::vector<LaunchSegment>& segments, const std::map<std::string, int>& ranks)
+{
+    std::string line;
+    for (const LaunchSegment& segment : segments) {
+        const auto counted = ranks.find(segment.role);
+        line += base::text(line.empty() ? "mpirun" : " :", " -n ", counted == ranks.end() ? 1 : counted->second, " ",
+                           segment.command);
+    }
+    return line;
+}
+
 std::string pack(const Introduction& introduction)
 {
     TextPacker packer;
@@ -18,7 +29,11 @@ std::string pack(const Introduction& introduction)
     packer.put(introduction.own_hash);
     packer.put(introduction.version);
     packer.put(introduction.libraries);
-    packer.put(introduction.launch_advice);
+    packer.put(static_cast<int>(introduction.launch.size()));
+    for (const LaunchSegment& segment : introduction.launch) {
+        packer.put(segment.role);
+        packer.put(segment.command);
+    }
     packer.put(introduction.failure);
     packer.put(introduction.host);
     packer.put(introduction.failure_code);
@@ -40,7 +55,13 @@ Introduction unpack_introduction(const std::string& text)
     unpacker.take(introduction.own_hash);
     unpacker.take(introduction.version);
     unpacker.take(introduction.libraries);
-    unpacker.take(introduction.launch_advice);
+    int segments = 0;
+    unpacker.take(segments);
+    for (int k = 0; k < segments; ++k) {
+        LaunchSegment& segment = introduction.launch.emplace_back();
+        unpacker.take(segment.role);
+        unpacker.take(segment.command);
+    }
     unpacker.take(introduction.failure);
     unpacker.take(introduction.host);
     unpacker.take(introduction.failure_code);

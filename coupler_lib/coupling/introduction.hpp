@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace coupler {
+
+/// A part of the command that starts a run.
+struct LaunchSegment {
+    std::string role;
+    std::string command; ///< "sph_solver coupling.toml"
+};
+
+/// "mpirun -n 2 sph_solver coupling.toml : -n 1 fem_solver coupling.toml"; empty without segments.
+/// \param ranks of each role; 1 for those that it does not name
+std::string launch_line(const std::vector<LaunchSegment>& segments, const std::map<std::string, int>& ranks = {});
 
 /// What every rank tells world rank 0 about itself right after MPI_Init.
 struct Introduction {
@@ -12,14 +23,14 @@ struct Introduction {
     std::vector<std::string> expected_roles;
     std::string config_file;
     std::string config_hash;
-    std::string program;   ///< name of the executable
-    std::string own_file;  ///< the role's own configuration
-    std::string own_hash;  ///< of its content
-    std::string version;   ///< git hash
-    std::string libraries; ///< "Open MPI v4.1.4, HDF5 1.10.8"
-    std::string launch_advice;
-    std::string failure;  ///< message of an error met before the handshake, or empty
-    int failure_code = 0; ///< its exit code, 0: none
+    std::string program;               ///< name of the executable
+    std::string own_file;              ///< the role's own configuration
+    std::string own_hash;              ///< of its content
+    std::string version;               ///< git hash
+    std::string libraries;             ///< "Open MPI v4.1.4, HDF5 1.10.8"
+    std::vector<LaunchSegment> launch; ///< what starts the whole run, or nothing
+    std::string failure;               ///< message of an error met before the handshake, or empty
+    int failure_code = 0;              ///< its exit code, 0: none
     std::string host;
     int pid = 0;
     int appnum = 0; ///< launch segment of mpirun; 0 for all under `srun --multi-prog`

@@ -25,7 +25,7 @@ Introduction introduction_of(const ParticipantSettings& settings)
     mine.own_hash = settings.own_hash;
     mine.version = settings.version;
     mine.libraries = settings.libraries;
-    mine.launch_advice = settings.launch_advice;
+    mine.launch = settings.launch;
     mine.failure = settings.failure;
     mine.failure_code = static_cast<int>(settings.failure_code);
     return mine;
@@ -94,16 +94,16 @@ struct Participant::Parts {
         MPI_Comm_dup(MPI_COMM_WORLD, coupling_comm.put());
         comm = base::Communicator(role_comm.get());
         world_size = static_cast<int>(introductions.size());
-        if (!settings.recorded_role.empty()) add_recorded();
+        for (const auto& [role, ranks] : settings.recorded) add_recorded(role, ranks);
     }
 
     /// The ranks of a partner that is not here take the numbers behind the world's.
-    void add_recorded()
+    void add_recorded(const std::string& role, int ranks)
     {
         Introduction one;
-        one.role = settings.recorded_role;
+        one.role = role;
         one.host = "a recording";
-        introductions.insert(introductions.end(), static_cast<std::size_t>(settings.recorded_ranks), one);
+        introductions.insert(introductions.end(), static_cast<std::size_t>(ranks), one);
         roles.push_back(one.role);
         std::sort(roles.begin(), roles.end());
     }
@@ -161,10 +161,15 @@ std::vector<int> Participant::ranks_of(const std::string& role) const
     return ranks;
 }
 
-std::vector<int> Participant::partner_ranks() const
+std::vector<int> Participant::partner_ranks(const std::string& wanted) const
 {
     const auto others = partners();
-    return others.empty() ? std::vector<int>{} : ranks_of(others.front());
+    base::require_input(!others.empty(), "an interface needs a partner, but '", role(), "' runs alone");
+    base::require_input(!wanted.empty() || others.size() == 1, "'", role(), "' has ", others.size(),
+                        " partners: an interface must name its own");
+    const auto ranks = ranks_of(wanted.empty() ? others.front() : wanted);
+    base::require_input(!ranks.empty(), "no rank of '", wanted, "' takes part in this run");
+    return ranks;
 }
 
 const Introduction& Participant::introduction(int rank) const

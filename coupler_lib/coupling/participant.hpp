@@ -27,15 +27,14 @@ struct ParticipantSettings {
     std::string own_hash;                    ///< of its content; must agree on all ranks of the role
     std::string version;                     ///< git hash; must agree on all ranks
     std::string libraries;                   ///< with their versions; must agree on all ranks
-    std::string launch_advice;               ///< the mpirun line that starts the whole run
+    std::vector<LaunchSegment> launch;       ///< what starts the whole run, for messages
     std::string failure;                     ///< what went wrong before the handshake (files not readable, ...)
     base::ExitCode failure_code = base::ExitCode::done; ///< `done`: nothing went wrong
     double handshake_timeout = 30;                      ///< [s]
     double silence_timeout = 300;                       ///< longest wait for a partner [s]
     WaitStyle wait = WaitStyle::automatic;
-    CourierMaker couriers;           ///< instead of MPI alone: records, or replays; empty: MpiCourier
-    std::string recorded_role;       ///< partner whom a recording stands for; empty: partners live
-    int recorded_ranks = 0;          ///< how many it had
+    CourierMaker couriers;               ///< instead of MPI alone: records, or replays; empty: MpiCourier
+    std::map<std::string, int> recorded; ///< partners whom recordings stand for, with their ranks; empty: partners live
 };
 
 /// An error that all ranks agree on and whose message is out already: the catcher prints nothing.
@@ -72,9 +71,11 @@ public:
     [[nodiscard]] int world_rank() const;
     [[nodiscard]] std::vector<std::string> partners() const;                ///< the other roles
     [[nodiscard]] std::vector<int> ranks_of(const std::string& role) const; ///< world ranks, ascending
-    [[nodiscard]] std::vector<int> partner_ranks() const;                   ///< of the first partner; empty when alone
-    [[nodiscard]] const Introduction& introduction(int world_rank) const;   ///< role, host, pid of any rank
-    [[nodiscard]] std::string name_of(int world_rank) const; ///< "'solid' (rank 1, pid 4711, host gauss)"
+    /// World ranks of the partner of an interface. \param role of it; empty: the only one. Throws base::Error(bad_input)
+    /// when it is not there, or not the only one.
+    [[nodiscard]] std::vector<int> partner_ranks(const std::string& role = "") const;
+    [[nodiscard]] const Introduction& introduction(int world_rank) const; ///< role, host, pid of any rank
+    [[nodiscard]] std::string name_of(int world_rank) const;              ///< "'solid' (rank 1, pid 4711, host gauss)"
 
     /// The way for packets of an interface of mine.
     [[nodiscard]] std::unique_ptr<Courier> make_courier(const CourierRoute& route);

@@ -16,13 +16,6 @@
 namespace coupler {
 namespace {
 
-std::vector<int> fluid_ranks(const Participant& participant, const std::string& partner)
-{
-    base::require_input(participant.coupled(), "an interface needs a partner, but '", participant.role(),
-                        "' runs alone");
-    return partner.empty() ? participant.partner_ranks() : participant.ranks_of(partner);
-}
-
 /// Facet indices in ascending order of their ids.
 std::vector<int> order_by_id(const std::vector<std::int64_t>& ids)
 {
@@ -63,15 +56,13 @@ struct SolidInterface::Parts {
           own_name(participant_.name_of(participant_.world_rank())),
           surface(checked(std::move(surface_), participant_)),
           order(order_by_id(surface.facet_ids)),
-          exchange(participant_, fluid_ranks(participant_, settings.partner), Field::motion),
+          exchange(participant_, participant_.partner_ranks(settings.partner), Field::motion),
           routes(exchange.size()),
           regions(exchange.size()),
           sum(surface),
           guard(surface, settings.motion_jump_limit),
           wall_velocity(surface.reference.size(), 0.0)
-    {
-        base::require_input(exchange.size() > 0, "no rank of '", settings.partner, "' takes part in this run");
-    }
+    {}
 
     PacketHeader expected_header(const PacketHeader& first) const;
     void remember_wall_velocity(const SurfaceMotion& motion);

@@ -52,19 +52,24 @@ struct Window {
     bool stop_requested = false; ///< both leave early on request (exit code 5); the same on every rank
 };
 
+/// The fluid's energies; sums since the start where they are works, losses or what left. 2D: per metre of depth.
+struct FluidEnergies {
+    double kinetic = 0;       ///< [J]
+    double potential = 0;     ///< [J]
+    double internal = 0;      ///< [J]
+    double external_work = 0; ///< done on the fluid by prescribed walls and boundaries, not by an interface [J]
+    double outflow = 0;       ///< energy that left with the particles taken out [J]
+    double dissipated = 0;    ///< all numerical and physical dissipations together [J]
+};
+
 /// What the fluid tells about itself in every packet: totals over its ranks, the same on each of them.
-/// Forces and moments act on the solid. Works and dissipations are cumulated since the start. 2D: per metre of depth.
-struct FluidReport {
+/// Forces and moments act on the solid of this interface. Works are cumulated since the start. 2D: per metre of depth.
+struct FluidReport : FluidEnergies {
     std::array<double, 3> force{};  ///< of the load that travels with this report [N]
     std::array<double, 3> moment{}; ///< of the same, about the origin [N m]
     double work_on_solid = 0;       ///< Runge-Kutta-weighted sum of F.v_wall dt, without the jumps [J]
+    double path_work = 0;           ///< of each load along the solid's own way over the step that it was measured in [J]
     double jump_work = 0;           ///< load times the wall's jump when a new motion corrects it [J]
-    double kinetic = 0;             ///< [J]
-    double potential = 0;           ///< [J]
-    double internal = 0;            ///< [J]
-    double external_work = 0;       ///< done on the fluid by prescribed walls and boundaries, not by the interface [J]
-    double outflow = 0;             ///< energy that left with the particles taken out [J]
-    double dissipated = 0;          ///< all numerical and physical dissipations together [J]
     double wait = 0;                ///< seconds waited for the solid so far, largest over the ranks [s]
 };
 

@@ -35,11 +35,14 @@ std::string who_is_there(const Introductions& introductions)
     return joined(pieces, ", ");
 }
 
+/// With as many ranks of each role as there are now, one where there is none.
 std::string advice(const Introductions& introductions)
 {
+    std::map<std::string, int> ranks;
+    for (const auto& introduction : introductions) ++ranks[introduction.role];
     for (const auto& introduction : introductions)
-        if (!introduction.launch_advice.empty())
-            return "\n  Start all of them with one command:\n    " + introduction.launch_advice;
+        if (!introduction.launch.empty())
+            return "\n  Start all of them with one command:\n    " + launch_line(introduction.launch, ranks);
     return "\n  Start all of them with one mpirun command, one segment for each role.";
 }
 

@@ -14,6 +14,7 @@ void FacetPressure::measure(const FacetBatch& facets, double time, double dt,
     const auto& [x, v, a] = facets.motion;
     const std::size_t values = x.size(), count = facets.facet_ids.size();
     dt_ = dt;
+    start_ = x;
     position_.resize(values);
     velocity_.resize(values);
     predicted_.resize(values);
@@ -59,15 +60,15 @@ void FacetPressure::add_facet(const FacetBatch& facets, std::size_t facet, doubl
     loads_.full_weight[facet] = length;
 }
 
-base::ReproducibleSum FacetPressure::jump_work(const FacetBatch& corrected) const
+base::ReproducibleSum FacetPressure::work_from(const std::vector<double>& position, const FacetBatch& corrected) const
 {
     base::ReproducibleSum work;
     for (std::size_t facet = 0; facet < corrected.facet_ids.size(); ++facet)
         for (std::size_t end = 0; end < 2; ++end)
             for (std::size_t d = 0; d < 2; ++d) {
                 const std::size_t at = 2 * static_cast<std::size_t>(corrected.facet_nodes[facet][end]) + d;
-                const double jump = corrected.motion.position[at] - predicted_[at];
-                work.add(loads_.corner_force[(4 * facet + end) * 2 + d].value() * jump);
+                const double way = corrected.motion.position[at] - position[at];
+                work.add(loads_.corner_force[(4 * facet + end) * 2 + d].value() * way);
             }
     return work;
 }

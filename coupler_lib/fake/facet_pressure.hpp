@@ -27,18 +27,21 @@ public:
     const base::ReproducibleSum& work() const { return work_; }
     /// Work of the last loads over the jump from where the walls were predicted to where the new motion puts them. The
     /// facets must be the same.
-    base::ReproducibleSum jump_work(const FacetBatch& corrected) const;
+    base::ReproducibleSum jump_work(const FacetBatch& corrected) const { return work_from(predicted_, corrected); }
+    /// Work of the last loads from where the step began to where the new motion puts the walls.
+    base::ReproducibleSum path_work(const FacetBatch& corrected) const { return work_from(start_, corrected); }
     /// Force (x, y) and moment (z) of the last loads, my facets.
     std::vector<base::ReproducibleSum> resultants(const FacetBatch& facets) const;
 
 private:
+    base::ReproducibleSum work_from(const std::vector<double>& position, const FacetBatch& corrected) const;
     void add_facet(const FacetBatch& facets, std::size_t facet, double middle);
 
     FakeFluidStepConfig fluid_;
     PressureConfig law_;
     FacetLoads loads_;
     std::vector<double> position_, velocity_; ///< of the nodes at the middle of the step
-    std::vector<double> predicted_;           ///< at its end
+    std::vector<double> start_, predicted_;   ///< at its start and end
     double dt_ = 0;
     base::ReproducibleSum work_;
 };

@@ -13,6 +13,7 @@
 #include "coupler_lib/coupling/fluid_interface.hpp"
 #include "coupler_lib/coupling/patience.hpp"
 #include "coupler_lib/fake/facet_pressure.hpp"
+#include "coupler_lib/session/energy_record.hpp"
 #include "coupler_lib/session/interface_record.hpp"
 #include "coupler_lib/session/session.hpp"
 
@@ -29,7 +30,8 @@ const RegionBox everywhere{{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}};
 class Records {
 public:
     explicit Records(Session& session)
-        : interface_(session.output_dir(), 2),
+        : interface_(interface_path(session.output_dir(), "", true), 2),
+          energy_(session.output_dir(), 2),
           probes_(session.own_dir() + "/probes.csv",
                   {"t[s]", "force_x[N/m]", "force_y[N/m]", "work_on_solid[J/m]", "wall[s]"}),
           progress_(session.log(), 0.0, session.coupling().time.end),
@@ -40,6 +42,8 @@ public:
     {
         interface_.add(window, fluid, solid);
         interface_.write();
+        energy_.add(window.time, fluid, {solid});
+        energy_.write();
         probes_.row({window.time, fluid.force[0], fluid.force[1], fluid.work_on_solid + fluid.jump_work,
                      session_.wall_seconds()});
         progress_.update(window.time, window.step, window.dt);
@@ -49,6 +53,7 @@ public:
 
 private:
     InterfaceRecord interface_;
+    EnergyRecord energy_;
     base::CsvWriter probes_;
     base::Progress progress_;
     Session& session_;
@@ -96,7 +101,7 @@ private:
 
     static InterfaceSettings settings(const Session& session, const FakeFluidConfig& config)
     {
-        auto settings = session.coupling().interface_settings();
+        auto settings = session.coupling().interface_of(session.role()).settings(session.role());
         settings.impedance = config.fluid.impedance;
         return settings;
     }
@@ -112,8 +117,9 @@ private:
         if (meets_fault("exchange", window.step) == Fault::leave) return false;
         batch_ = &wet_.receive(solid_);
         if (window.step < 1) return true;
-        const auto jump = session_.comm().total(pressure_.jump_work(*batch_));
-        report_.jump_work += jump.value();
+        const auto works = session_.comm().total({pressure_.jump_work(*batch_), pressure_.path_work(*batch_)});
+        report_.jump_work += works[0].value();
+        report_.path_work += works[1].value();
         report_.external_work = report_.work_on_solid + report_.jump_work; // whatever makes the pressure pays for it
         return true;
     }
@@ -163,7 +169,7 @@ int main(int argc, char** argv)
         if (session.check_only()) {
             DataFlow flow;
             flow.dimension = 2;
-            flow.fields = interface_fields(2, session.coupling().interface.load, true);
+            flow.fields = interface_fields(2, session.coupling().interface_of(session.role()), session.role());
             flow.dt = config.fluid.dt;
             flow.impedance = config.fluid.impedance;
             return session.check_flow(flow);

@@ -57,7 +57,8 @@ public:
           config_(config),
           surface_(config.surface, session.comm()),
           piston_(config.piston),
-          wet_(session.participant(), session.coupling().interface_settings(), surface_.wet()),
+          wet_(session.participant(), session.coupling().interface_of(session.role()).settings(session.role()),
+               surface_.wet()),
           filter_(session.coupling().scheme.acceleration == "nodal" ? 0 : session.coupling().scheme.acceleration_steps),
           prediction_(session.coupling().scheme.load_prediction())
     {
@@ -187,7 +188,7 @@ int main(int argc, char** argv)
         if (session.check_only()) {
             DataFlow flow;
             flow.dimension = 2;
-            flow.fields = interface_fields(2, session.coupling().interface.load, false);
+            flow.fields = interface_fields(2, session.coupling().interface_of(session.role()), session.role());
             flow.groups = {{"piston", config.surface.facets}};
             flow.density = config.piston.mass; // a rigid piston answers as a whole: a layer of 1 m
             flow.wave_speed = 1e30;

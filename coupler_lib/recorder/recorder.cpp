@@ -103,15 +103,17 @@ CourierMaker recording_couriers(const std::string& path, const TrafficInfo& info
         mine.ranks = participant.comm().size();
         mine.partner = participant.introduction(route.peers.front()).role;
         mine.partner_ranks = static_cast<int>(route.peers.size());
-        return std::make_unique<RecordingCourier>(participant, route, traffic_path(path, mine.role, mine.rank), mine);
+        return std::make_unique<RecordingCourier>(participant, route,
+                                                  traffic_path(path, mine.role, mine.partner, mine.rank), mine);
     };
 }
 
 CourierMaker replaying_couriers(const std::string& path, std::shared_ptr<ReplayVerdict> verdict)
 {
-    return [=](Participant& participant, const CourierRoute&) -> std::unique_ptr<Courier> {
+    return [=](Participant& participant, const CourierRoute& route) -> std::unique_ptr<Courier> {
+        const std::string& partner = participant.introduction(route.peers.front()).role;
         return std::make_unique<ReplayingCourier>(
-            participant, traffic_path(path, participant.role(), participant.comm().rank()), verdict);
+            participant, traffic_path(path, participant.role(), partner, participant.comm().rank()), verdict);
     };
 }
 

@@ -5,7 +5,8 @@
 
 namespace coupler {
 
-/// Couriers over MPI that write every packet to traffic_path(path, role, rank), each rank its own file.
+/// Couriers over MPI that write every packet to traffic_path(path, role, partner, rank): a file for each
+/// rank and interface.
 /// \param info role, hashes; the rest is filled in.
 CourierMaker recording_couriers(const std::string& path, const TrafficInfo& info);
 

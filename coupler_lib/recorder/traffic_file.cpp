@@ -99,12 +99,12 @@ struct Quiet {
 
 } // namespace
 
-std::string traffic_path(const std::string& path, const std::string& role, int rank)
+std::string traffic_path(const std::string& path, const std::string& role, const std::string& partner, int rank)
 {
     const std::size_t folder = path.find_last_of('/') + 1; // 0 without one
     const std::size_t dot = path.find('.', folder);
     const std::size_t end = dot == std::string::npos ? path.size() : dot;
-    return path.substr(0, end) + "." + role + "." + std::to_string(rank) + path.substr(end);
+    return path.substr(0, end) + "." + role + "." + partner + "." + std::to_string(rank) + path.substr(end);
 }
 
 struct TrafficWriter::Stream {

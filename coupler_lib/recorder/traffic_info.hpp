@@ -13,7 +13,7 @@ struct TrafficInfo {
     std::string config_hash, git_hash; ///< of the run
 };
 
-/// "traffic.h5" of the role "solid" and the rank 0: "traffic.solid.0.h5".
-std::string traffic_path(const std::string& path, const std::string& role, int rank);
+/// "traffic.h5" of the role "solid", its partner "fluid" and the rank 0: "traffic.solid.fluid.0.h5".
+std::string traffic_path(const std::string& path, const std::string& role, const std::string& partner, int rank);
 
 } // namespace coupler

@@ -5,6 +5,7 @@
 #include "coupler_lib/foundation/nearest_name.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace coupler {
 namespace {
@@ -74,12 +75,13 @@ base::Table<SchemeConfig> scheme_table()
              .choices = {"auto", "spin", "yield"}})
         .key("record", &SchemeConfig::record,
              {.doc = "file in the output folder for every packet that crosses the interface, for --replay; each rank "
-                     "writes its own, traffic.h5 becomes traffic.solid.0.h5. Empty: none"});
+                     "writes its own, traffic.h5 becomes traffic.solid.fluid.0.h5. Empty: none"});
 }
 
 base::Table<InterfaceConfig> interface_table()
 {
-    return base::Table<InterfaceConfig>("the wet surface that fluid and solid share")
+    return base::Table<InterfaceConfig>(
+               "the wet surface that fluid and solid share; with several solids [[interface]] for each")
         .key("fluid", &InterfaceConfig::fluid, {.doc = "role of the fluid"})
         .key("solid", &InterfaceConfig::solid, {.doc = "role of the solid"})
         .key("surface", &InterfaceConfig::surface, {.doc = "name of the surface in messages"})
@@ -99,8 +101,31 @@ void check_role(const CouplingConfig& config, const std::string& key, const std:
                 const base::ConfigReader& reader)
 {
     const auto roles = config.roles();
-    base::require_input(std::find(roles.begin(), roles.end(), role) != roles.end(), reader.where("interface." + key),
+    base::require_input(std::ranges::find(roles, role) != roles.end(), reader.where("interface." + key),
                         ": [interface] ", key, " = \"", role, "\" is no participant", base::suggestion(role, roles));
+}
+
+/// One fluid, each solid once, and nobody left over.
+void check_interfaces(const CouplingConfig& config, const base::ConfigReader& reader)
+{
+    const std::string here = reader.where("interface");
+    std::set<std::string> taken;
+    for (const InterfaceConfig& one : config.interfaces) {
+        check_role(config, "fluid", one.fluid, reader);
+        check_role(config, "solid", one.solid, reader);
+        base::require_input(one.fluid == config.interfaces.front().fluid, here,
+                            ": the interfaces have different fluids, '", config.interfaces.front().fluid, "' and '",
+                            one.fluid, "': a run has one");
+        base::require_input(one.fluid != one.solid, here, ": '", one.fluid, "' is fluid and solid of one interface");
+        base::require_input(
+            taken.insert(one.solid).second, here, ": '", one.solid,
+            "' has two interfaces: name all its wet groups in its own file, they make one interface, or "
+            "give each a solid of its own with solid = \"...\"");
+        taken.insert(one.fluid);
+    }
+    for (const std::string& role : config.roles())
+        base::require_input(taken.count(role) > 0, here, ": the participant '", role,
+                            "' has no interface: add [[interface]] with solid = \"", role, "\"");
 }
 
 } // namespace
@@ -125,14 +150,31 @@ WaitStyle SchemeConfig::wait_style() const
     return wait == "yield" ? WaitStyle::yield : WaitStyle::automatic;
 }
 
-InterfaceSettings CouplingConfig::interface_settings() const
+InterfaceSettings InterfaceConfig::settings(const std::string& role) const
 {
     InterfaceSettings settings;
-    settings.name = interface.surface;
-    settings.load = interface.load == "averaged" ? LoadKind::averaged : LoadKind::conservative;
-    settings.coverage_limit = interface.coverage_limit;
-    settings.motion_jump_limit = interface.motion_jump_limit;
+    settings.name = surface;
+    settings.partner = role == fluid ? solid : fluid;
+    settings.load = load_kind();
+    settings.coverage_limit = coverage_limit;
+    settings.motion_jump_limit = motion_jump_limit;
     return settings;
+}
+
+std::vector<InterfaceConfig> CouplingConfig::interfaces_of(const std::string& role) const
+{
+    std::vector<InterfaceConfig> mine;
+    for (const InterfaceConfig& one : interfaces)
+        if (one.fluid == role || one.solid == role) mine.push_back(one);
+    return mine;
+}
+
+InterfaceConfig CouplingConfig::interface_of(const std::string& role) const
+{
+    const auto mine = interfaces_of(role);
+    base::require_input(mine.size() == 1, "'", role, "' has ", mine.size(),
+                        " interfaces, but this program serves one only");
+    return mine.front();
 }
 
 CouplingConfig read_coupling_config(base::ConfigReader& reader)
@@ -142,15 +184,14 @@ CouplingConfig read_coupling_config(base::ConfigReader& reader)
     config.time = reader.table("time", time_table());
     config.output = reader.table("output", output_table());
     config.scheme = reader.table("coupling", scheme_table());
-    config.interface = reader.table("interface", interface_table());
+    config.interfaces = reader.one_or_more("interface", interface_table());
     reader.finish();
     if (reader.describing()) return config;
     base::require_input(config.participants.size() >= 2, reader.file_name(),
                         ": two participants are wanted, [participants.fluid] and "
                         "[participants.solid], not ",
                         config.participants.size());
-    check_role(config, "fluid", config.interface.fluid, reader);
-    check_role(config, "solid", config.interface.solid, reader);
+    check_interfaces(config, reader);
     return config;
 }
 

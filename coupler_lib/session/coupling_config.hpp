@@ -49,12 +49,16 @@ struct SchemeConfig {
     std::unique_ptr<LoadPrediction> load_prediction() const;
 };
 
-/// [interface]
+/// [interface], or [[interface]] once for each solid
 struct InterfaceConfig {
     std::string fluid = "fluid", solid = "solid", surface = "wet";
     std::string load = "conservative";
     double coverage_limit = 0.3;
     double motion_jump_limit = 1.0;
+
+    LoadKind load_kind() const { return load == "averaged" ? LoadKind::averaged : LoadKind::conservative; }
+    /// As `coupling` takes them on the side of `role`; the fluid adds its impedance and limits.
+    InterfaceSettings settings(const std::string& role) const;
 };
 
 /// coupling.toml: what both participants must agree on.
@@ -63,11 +67,13 @@ struct CouplingConfig {
     RunTimeConfig time;
     RunOutputConfig output;
     SchemeConfig scheme;
-    InterfaceConfig interface;
+    std::vector<InterfaceConfig> interfaces; ///< of one fluid, each with a solid of its own
 
     std::vector<std::string> roles() const;
-    /// The interface's settings as `coupling` takes them; the fluid adds its impedance and limits.
-    InterfaceSettings interface_settings() const;
+    /// The interfaces that a role takes part in.
+    std::vector<InterfaceConfig> interfaces_of(const std::string& role) const;
+    /// The only one that it takes part in. Throws base::Error(bad_input) when there are several.
+    InterfaceConfig interface_of(const std::string& role) const;
 };
 
 /// Reads all tables of coupling.toml. Throws Error(bad_input) with the place of what is wrong.

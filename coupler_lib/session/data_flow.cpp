@@ -10,7 +10,7 @@
 namespace coupler {
 namespace {
 
-const std::string first_line = "rivage data flow 1";
+const std::string first_line = "rivage data flow 2";
 
 /// The single numbers of a flow under their keys.
 std::map<std::string, double DataFlow::*> numbers()
@@ -34,8 +34,8 @@ void read_entry(DataFlow& flow, const std::string& key, std::istringstream& word
     } else if (key == "dimension") {
         words >> flow.dimension;
     } else if (key == "produces" || key == "consumes") {
-        FieldUse use{"", "", key == "produces"};
-        words >> use.name >> use.unit;
+        FieldUse use{"", "", key == "produces", ""};
+        words >> use.name >> use.unit >> use.partner;
         flow.fields.push_back(use);
     } else if (key == "group") {
         int facets = 0;
@@ -54,7 +54,8 @@ std::string to_text(const DataFlow& flow)
 {
     std::string text = fmt::format("{}\nrole {}\ndimension {}\n", first_line, flow.role, flow.dimension);
     for (const auto& field : flow.fields)
-        text += fmt::format("{} {} {}\n", field.produced ? "produces" : "consumes", field.name, field.unit);
+        text += fmt::format("{} {} {} {}\n", field.produced ? "produces" : "consumes", field.name, field.unit,
+                            field.partner);
     for (const auto& [name, facets] : flow.groups) text += fmt::format("group {} {}\n", facets, name);
     for (const auto& [key, member] : numbers()) text += fmt::format("{} {:.17g}\n", key, flow.*member);
     return text;
@@ -78,17 +79,19 @@ DataFlow data_flow_from(const std::string& text)
     return flow;
 }
 
-std::vector<FieldUse> interface_fields(int dimension, const std::string& load, bool of_fluid)
+std::vector<FieldUse> interface_fields(int dimension, const InterfaceConfig& interface, const std::string& role)
 {
+    const bool of_fluid = role == interface.fluid;
+    const std::string& partner = of_fluid ? interface.solid : interface.fluid;
     std::vector<FieldUse> fields;
-    if (load == "averaged")
-        fields.push_back({"pressure", "Pa", of_fluid});
+    if (interface.load_kind() == LoadKind::averaged)
+        fields.push_back({"pressure", "Pa", of_fluid, partner});
     else
-        fields.push_back({"force", dimension == 2 ? "N/m" : "N", of_fluid});
-    fields.push_back({"impedance", "kg/(m^2*s)", of_fluid});
-    fields.push_back({"position", "m", !of_fluid});
-    fields.push_back({"velocity", "m/s", !of_fluid});
-    fields.push_back({"acceleration", "m/s^2", !of_fluid});
+        fields.push_back({"force", dimension == 2 ? "N/m" : "N", of_fluid, partner});
+    fields.push_back({"impedance", "kg/(m^2*s)", of_fluid, partner});
+    fields.push_back({"position", "m", !of_fluid, partner});
+    fields.push_back({"velocity", "m/s", !of_fluid, partner});
+    fields.push_back({"acceleration", "m/s^2", !of_fluid, partner});
     return fields;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "coupler_lib/session/coupling_config.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,9 +10,10 @@ namespace coupler {
 
 /// A quantity that crosses the interface, as one side sees it.
 struct FieldUse {
-    std::string name; ///< "force"
-    std::string unit; ///< "N/m"
-    bool produced;    ///< false: consumed
+    std::string name;    ///< "force"
+    std::string unit;    ///< "N/m"
+    bool produced;       ///< false: consumed
+    std::string partner; ///< role on the other side
 };
 
 /// What a participant tells about itself before a run: all that the check of a coupled case wants to know, in words that
@@ -33,8 +36,7 @@ std::string to_text(const DataFlow& flow);
 /// Throws base::Error(bad_input) on a text that is none.
 DataFlow data_flow_from(const std::string& text);
 
-/// What both sides of an interface exchange in Rivage: the load one way, the motion the other.
-/// \param load  "conservative" or "averaged"  \param of_fluid  as the fluid sees it; else as the solid does
-std::vector<FieldUse> interface_fields(int dimension, const std::string& load, bool of_fluid);
+/// What both sides of an interface exchange in Rivage, the load one way and the motion the other, as `role` sees it.
+std::vector<FieldUse> interface_fields(int dimension, const InterfaceConfig& interface, const std::string& role);
 
 } // namespace coupler

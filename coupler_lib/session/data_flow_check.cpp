@@ -11,17 +11,19 @@ namespace {
 constexpr double high_beta = 0.5;
 
 /// The other side's use of a field: produced where this one consumes, or the other way round.
-const FieldUse* counterpart(const FieldUse& field, const DataFlow& other)
+const FieldUse* counterpart(const FieldUse& field, const DataFlow& one, const DataFlow& other)
 {
     for (const auto& candidate : other.fields)
-        if (candidate.name == field.name && candidate.produced != field.produced) return &candidate;
+        if (candidate.name == field.name && candidate.produced != field.produced && candidate.partner == one.role)
+            return &candidate;
     return nullptr;
 }
 
 void compare_fields(const DataFlow& one, const DataFlow& other, FlowReport& report)
 {
     for (const auto& field : one.fields) {
-        const FieldUse* found = counterpart(field, other);
+        if (field.partner != other.role) continue;
+        const FieldUse* found = counterpart(field, one, other);
         if (!found)
             report.problems.push_back(fmt::format("{} {} '{}' [{}], but {} does not {} it", one.role,
                                                   field.produced ? "sends" : "needs", field.name, field.unit,
@@ -101,15 +103,15 @@ FlowReport check_data_flow(const CouplingConfig& config, const std::vector<DataF
         compare_times(config, side, report);
         list_groups(side, report);
     }
-    const auto is_fluid = [&config](const DataFlow& side) { return side.role == config.interface.fluid; };
-    const auto fluid = std::find_if(sides.begin(), sides.end(), is_fluid);
-    for (const auto& solid : sides) {
-        if (fluid == sides.end() || is_fluid(solid)) continue;
-        compare_dimensions(*fluid, solid, report);
-        compare_fields(*fluid, solid, report);
-        compare_fields(solid, *fluid, report);
-        compare_steps(config, *fluid, solid, report);
-        judge_stability(config, *fluid, solid, report);
+    for (const InterfaceConfig& interface : config.interfaces) {
+        const auto fluid = std::ranges::find(sides, interface.fluid, &DataFlow::role);
+        const auto solid = std::ranges::find(sides, interface.solid, &DataFlow::role);
+        if (fluid == sides.end() || solid == sides.end()) continue;
+        compare_dimensions(*fluid, *solid, report);
+        compare_fields(*fluid, *solid, report);
+        compare_fields(*solid, *fluid, report);
+        compare_steps(config, *fluid, *solid, report);
+        judge_stability(config, *fluid, *solid, report);
     }
     return report;
 }

@@ -5,32 +5,37 @@
 #include "coupler_lib/coupling/surface.hpp"
 
 #include <string>
-#include <vector>
 
 namespace coupler {
 
-/// The tables that need both sides: DIR/coupling/interface.csv (motion, force, moment, work of both sides, waits) and
-/// DIR/energy_total.csv (fluid + solid, with the drift (E_f + E_s - W_external)(t) minus the same at the start).
-/// Written by one rank, from the reports that travel with the packets.
+/// The table of one interface, which needs both sides: motion, force, moment, work of both, waits. Written by one rank,
+/// from the reports that travel with the packets.
 class InterfaceRecord {
 public:
-    InterfaceRecord(const std::string& output_dir, int dimension);
+    InterfaceRecord(const std::string& path, int dimension) : audit_(dimension), table_(path, audit_.columns()) {}
 
     /// Adds the exchange at `window.time` to the audit.
-    void add(const Window& window, const FluidReport& fluid, const SolidReport& solid);
-    /// One row in each table for the last exchange added.
-    void write();
-
+    void add(const Window& window, const FluidReport& fluid, const SolidReport& solid)
+    {
+        audit_.record(window, fluid, solid);
+    }
+    /// A row for the last exchange added.
+    void write()
+    {
+        table_.row(audit_.row());
+        table_.flush();
+    }
     const InterfaceAudit& audit() const { return audit_; }
-    /// Drift of the total energy at the last exchange [J].
-    double energy_drift() const { return drift_; }
 
 private:
     InterfaceAudit audit_;
-    base::CsvWriter interface_, energy_;
-    std::vector<double> energies_;
-    bool started_ = false;
-    double balance_start_ = 0, drift_ = 0;
+    base::CsvWriter table_;
 };
 
-}  // namespace coupler
+/// DIR/coupling/interface.csv, or DIR/coupling/interface.SOLID.csv where the run has several interfaces.
+inline std::string interface_path(const std::string& output_dir, const std::string& solid, bool only_one)
+{
+    return output_dir + "/coupling/interface" + (only_one ? "" : "." + solid) + ".csv";
+}
+
+} // namespace coupler

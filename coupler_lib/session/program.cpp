@@ -22,18 +22,20 @@ std::string describe_keys(const void* context)
                        shared.help());
 }
 
-/// "mpirun -n 1 sph_solver cases/x/coupling.toml : -n 1 fem_solver cases/x/coupling.toml"
-std::string launch_line(const RunFiles& files)
+/// Whether a program plays a role without being told: sph_solver and fake_fluid the fluid, the others the solid.
+bool plays_by_default(const std::string& program, const std::string& role)
 {
-    if (!files.coupling) return "";
-    std::string line = "mpirun";
-    for (const auto& [role, participant] : files.coupling->participants) {
-        line += fmt::format("{} -n 1 {} {}", line == "mpirun" ? "" : " :", participant.program, files.coupling_file);
-        line += role == files.role || participant.program == "sph_solver" || participant.program == "fem_solver"
-                    ? ""
-                    : " --as " + role;
-    }
-    return line;
+    return role == (program == "sph_solver" || program == "fake_fluid" ? "fluid" : "solid");
+}
+
+std::vector<LaunchSegment> launch_segments(const RunFiles& files)
+{
+    std::vector<LaunchSegment> segments;
+    if (!files.coupling) return segments;
+    for (const auto& [role, participant] : files.coupling->participants)
+        segments.push_back({role, participant.program + " " + files.coupling_file +
+                                      (plays_by_default(participant.program, role) ? "" : " --as " + role)});
+    return segments;
 }
 
 /// What can be known before MPI starts; an error is kept, so that the handshake ends all ranks with it.
@@ -49,20 +51,23 @@ void choose_couriers(const CommandLine& command, Preparation& made)
     if (command.replay.empty()) {
         const std::string& record = made.files.coupling->scheme.record;
         if (!record.empty())
-            settings.couriers = recording_couriers(made.files.output_dir + "/" + record,
-                                                   {.role = settings.role,
-                                                    .partner = {},
-                                                    .config_hash = settings.config_hash,
-                                                    .git_hash = settings.version});
+            settings.couriers =
+                recording_couriers(made.files.output_dir + "/" + record, {.role = settings.role,
+                                                                          .partner = {},
+                                                                          .config_hash = settings.config_hash,
+                                                                          .git_hash = settings.version});
         return;
     }
-    const std::string path = traffic_path(command.replay, settings.role, 0);
-    const TrafficInfo then = TrafficReader(path).info();
-    base::require_input(then.role == settings.role, "'", path, "' holds the traffic of '", then.role, "', not of '",
-                        settings.role, "'");
+    for (const InterfaceConfig& interface : made.files.coupling->interfaces_of(settings.role)) {
+        const std::string partner = interface.settings(settings.role).partner;
+        const std::string path = traffic_path(command.replay, settings.role, partner, 0);
+        const TrafficInfo then = TrafficReader(path).info();
+        base::require_input(then.role == settings.role && then.partner == partner, "'", path,
+                            "' holds the traffic of '", then.role, "' with '", then.partner, "', not of '",
+                            settings.role, "' with '", partner, "'");
+        settings.recorded[partner] = then.partner_ranks;
+    }
     settings.expected_roles = {settings.role};
-    settings.recorded_role = then.partner;
-    settings.recorded_ranks = then.partner_ranks;
     made.files.replay = std::make_shared<ReplayVerdict>();
     settings.couriers = replaying_couriers(command.replay, made.files.replay);
 }
@@ -81,7 +86,7 @@ Preparation prepare(const ProgramInfo& program, const CommandLine& command)
         settings.config_hash = made.files.config_hash;
         settings.own_file = made.files.own_file;
         settings.own_hash = made.files.own_hash;
-        settings.launch_advice = launch_line(made.files);
+        settings.launch = launch_segments(made.files);
         settings.expected_roles =
             made.files.coupling ? made.files.coupling->roles() : std::vector<std::string>{settings.role};
         if (made.files.coupling) {
@@ -138,7 +143,7 @@ int run_program(const ProgramInfo& program, int argc, char** argv, const std::fu
     }
     const Preparation prepared = prepare(program, parsed.command);
     const MpiSession mpi(argc, argv, prepared.settings.role, prepared.settings.handshake_timeout,
-                         prepared.settings.launch_advice);
+                         launch_line(prepared.settings.launch));
     try {
         Participant participant(prepared.settings);
         return run_body(participant, prepared, parsed.command.check_only, body);

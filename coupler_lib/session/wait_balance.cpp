@@ -10,11 +10,13 @@ namespace {
 
 constexpr double balanced = 0.15;
 
-std::string others(const std::vector<WaitShare>& waits, const std::string& role)
+/// Those for whom the others wait: who waits least, and whoever hardly waits.
+std::string bottlenecks(const std::vector<WaitShare>& waits)
 {
+    const double least = std::ranges::min_element(waits, {}, &WaitShare::share)->share;
     std::string names;
     for (const auto& wait : waits)
-        if (wait.role != role) names += (names.empty() ? "" : " and ") + wait.role;
+        if (wait.share <= std::max(least, balanced)) names += (names.empty() ? "" : " and ") + wait.role;
     return names;
 }
 
@@ -29,8 +31,8 @@ std::string wait_advice(const std::vector<WaitShare>& waits)
                                        [](const WaitShare& a, const WaitShare& b) { return a.share < b.share; });
     if (most == waits.end()) return "";
     if (most->share <= balanced) return shares + ": balanced";
-    if (most->ranks == 1) return fmt::format("{}: give {} more ranks", shares, others(waits, most->role));
-    return fmt::format("{}: give {} fewer ranks, or {} more", shares, most->role, others(waits, most->role));
+    if (most->ranks == 1) return fmt::format("{}: give {} more ranks", shares, bottlenecks(waits));
+    return fmt::format("{}: give {} fewer ranks, or {} more", shares, most->role, bottlenecks(waits));
 }
 
 std::string to_text(const WaitShare& wait) { return fmt::format("{} {:.17g}", wait.ranks, wait.share); }

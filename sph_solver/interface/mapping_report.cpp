@@ -33,7 +33,8 @@ template<int D> class PointSums {
 public:
     PointSums(const Walls<D>& walls, double spacing) : walls_(walls), spacing_(spacing) {}
 
-    void add(const MirrorPlane<D>& plane, std::vector<Seen>& seen)
+    /// \param seen facets of the interface, of which the first has the number `first` in the walls' sources
+    void add(const MirrorPlane<D>& plane, std::vector<Seen>& seen, std::size_t first)
     {
         const auto& facets = walls_.facets();
         Vec<D> centre = Vec<D>::Zero();
@@ -45,7 +46,8 @@ public:
                 centre += weight[c] * corners[c];
                 sum += weight[c];
             }
-            seen[static_cast<std::size_t>(facets[facet].source)].touched = 1;
+            const std::size_t own = static_cast<std::size_t>(facets[facet].source) - first;
+            if (own < seen.size()) seen[own].touched = 1; // a footprint may reach over to a neighbour
         }
         ++points;
         constant = std::max(constant, std::abs(sum - 1));
@@ -68,19 +70,21 @@ private:
 } // namespace
 
 template<int D>
-MappingReport examine_mapping(const Walls<D>& walls, const coupler::FacetBatch& batch, double spacing,
-                              const base::Communicator& comm)
+MappingReport examine_mapping(const Walls<D>& walls, const coupler::FacetBatch& batch, const InterfacePlace& place,
+                              double spacing, const base::Communicator& comm)
 {
     const auto& facets = walls.facets();
     std::vector<Seen> seen;
     for (const std::int64_t id : batch.facet_ids) seen.push_back({id, 0, 0});
+    const auto number = [&](int f) { return static_cast<std::size_t>(facets[f].source) - place.facet; };
+    const auto is_own = [&](int f) { return f >= facets.first_of_interface() && number(f) < seen.size(); };
     for (int f = facets.first_of_interface(); f < facets.size(); ++f)
-        seen[static_cast<std::size_t>(facets[f].source)].area += base::area_vector(facets.corners(f)).norm();
+        if (is_own(f)) seen[number(f)].area += base::area_vector(facets.corners(f)).norm();
     PointSums<D> sums(walls, spacing);
     for (const WallContact& contact : walls.contacts().contacts)
         for (int p = contact.plane_begin; p < contact.plane_end; ++p) {
             const MirrorPlane<D>& plane = walls.contacts().planes[static_cast<std::size_t>(p)];
-            if (plane.facet >= facets.first_of_interface()) sums.add(plane, seen);
+            if (is_own(plane.facet)) sums.add(plane, seen, place.facet);
         }
     MappingReport report;
     for (const Seen& facet : united(comm.gather_all(seen))) {
@@ -112,9 +116,9 @@ std::string describe(const MappingReport& report, const std::string& name, int d
                        report.touched, report.layer, report.nearest, report.constant_error, report.centre_distance);
 }
 
-template MappingReport examine_mapping<2>(const Walls<2>&, const coupler::FacetBatch&, double,
+template MappingReport examine_mapping<2>(const Walls<2>&, const coupler::FacetBatch&, const InterfacePlace&, double,
                                           const base::Communicator&);
-template MappingReport examine_mapping<3>(const Walls<3>&, const coupler::FacetBatch&, double,
+template MappingReport examine_mapping<3>(const Walls<3>&, const coupler::FacetBatch&, const InterfacePlace&, double,
                                           const base::Communicator&);
 
 } // namespace sph

@@ -3,7 +3,7 @@
 
 #include "coupler_lib/coupling/surface.hpp"
 #include "coupler_lib/foundation/communicator.hpp"
-#include "sph_solver/walls/walls.hpp"
+#include "sph_solver/interface/interface_geometry.hpp"
 
 #include <string>
 
@@ -21,10 +21,11 @@ struct MappingReport {
     double centre_distance = 0; ///< largest |sum_n H_n x_n - x_w| [dx]: what a turn by one radian loses, near edges
 };
 
-/// Looks at the contacts as they are. Collective. \param batch that the walls were made of. \param spacing dx [m].
+/// Looks at the contacts of an interface as they are. Collective. \param batch that its walls were made of.
+/// \param place of the batch among those of all interfaces  \param spacing dx [m].
 template<int D>
-MappingReport examine_mapping(const Walls<D>& walls, const coupler::FacetBatch& batch, double spacing,
-                              const base::Communicator& comm);
+MappingReport examine_mapping(const Walls<D>& walls, const coupler::FacetBatch& batch, const InterfacePlace& place,
+                              double spacing, const base::Communicator& comm);
 
 /// In one line.
 std::string describe(const MappingReport& report, const std::string& name, int dimension, double spacing);

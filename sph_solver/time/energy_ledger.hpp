@@ -50,9 +50,6 @@ public:
     /// The account now, the same on every rank; the first call sets the zero of the balance. Collective.
     EnergyBalance balance(const Particles<D>& particles, const Outflow<D>& outflow, const base::Communicator& comm);
 
-    /// Work of the coupled solid on this rank's particles since the start [J].
-    const base::ReproducibleSum& work_by_interface() const { return walls_.by_interface; }
-
 private:
     void add_energies(std::vector<base::ReproducibleSum>& sums, const Particles<D>& particles) const;
 

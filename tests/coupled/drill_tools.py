@@ -53,15 +53,15 @@ class Run:
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.code, self.text, self.end = None, "", 0.0
 
-    def pids(self, program: str) -> list[int]:
-        """Process ids of this run's ranks of a program, found by the output folder on their command line."""
+    def pids(self, program: str, word: str = "") -> list[int]:
+        """Process ids of this run's ranks of a program, found by the output folder, and a word, on their command line."""
         found = []
         for entry in Path("/proc").iterdir():
             try:
                 words = (entry / "cmdline").read_bytes().split(b"\0") if entry.name.isdigit() else []
             except OSError:
                 continue
-            if words and words[0].decode().endswith("/" + program) and str(self.out).encode() in words:
+            if words and words[0].decode().endswith("/" + program) and {str(self.out).encode(), word.encode() or words[0]} <= set(words):
                 found.append(int(entry.name))
         return sorted(found)
 
@@ -75,9 +75,9 @@ class Run:
                 raise AssertionError(f"the run did not get under way:\n{self.text}")
             time.sleep(0.01)
 
-    def kill(self, program: str, which: int = 0, how: signal.Signals = signal.SIGKILL) -> float:
+    def kill(self, program: str, which: int = 0, how: signal.Signals = signal.SIGKILL, word: str = "") -> float:
         """Sends a signal to one rank. Returns the time."""
-        os.kill(self.pids(program)[which], how)
+        os.kill(self.pids(program, word)[which], how)
         return time.monotonic()
 
     def finish(self, timeout: float = 60) -> "Run":

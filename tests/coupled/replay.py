@@ -105,7 +105,7 @@ class Replay(unittest.TestCase):
     def test_a_killed_run_is_replayed_as_far_as_it_went(self) -> None:
         out = self.folder / "killed"
         process = start(recording(GATE, out, {"fluid": 1, "solid": 1}, "coupling.time.end=0.1"))
-        file = out / "traffic.solid.0.h5"
+        file = out / "traffic.solid.fluid.0.h5"
         until = time.monotonic() + 60
         while time.monotonic() < until and not (file.exists() and file.stat().st_size > 1_500_000):
             time.sleep(0.05)
@@ -126,11 +126,11 @@ class Replay(unittest.TestCase):
         code, said, _ = self.replay(FAKES, "fluid", self.folder / "nowhere", 1)
         self.assertEqual(code, 2, said)
         self.assertIn("cannot read the recording", said)
-        (recorded / "traffic.fluid.0.h5").write_bytes(b"no recording at all" * 100)
+        (recorded / "traffic.fluid.solid.0.h5").write_bytes(b"no recording at all" * 100)
         code, said, _ = self.replay(FAKES, "fluid", recorded, 1)
         self.assertEqual(code, 2, said)
         self.assertIn("cannot read the recording", said)
-        (recorded / "traffic.solid.0.h5").rename(recorded / "traffic.fluid.0.h5")
+        (recorded / "traffic.solid.fluid.0.h5").rename(recorded / "traffic.fluid.solid.0.h5")
         code, said, _ = self.replay(FAKES, "fluid", recorded, 1)
         self.assertEqual(code, 2, said)
         self.assertIn("holds the traffic of 'solid'", said)

@@ -13,6 +13,7 @@ from pathlib import Path
 from drill_tools import ENVIRONMENT, Run, Segment, drill_main
 
 CASE = Path(__file__).resolve().parents[2] / "cases" / "elastic_gate_small" / "coupling.toml"
+TWO_GATES = CASE.parents[1] / "two_gates" / "coupling.toml"
 EVERY_STEP = ("coupling.output.table_interval=0",)
 
 
@@ -36,6 +37,20 @@ def solver_missing(programs):
 
 def solver_doubled(programs):
     Run(programs, [fluid(), solid(), fluid()]).finish().expect(2, "the role 'fluid' is doubled", "'fluid' (ranks 0, 2)")
+
+
+def one_of_two_solids_missing(programs):
+    run = Run(programs, [Segment("sph_solver", 2, TWO_GATES), Segment("fem_solver", 1, TWO_GATES, ("--as", "right"))])
+    run.finish().expect(4, "the participant 'left' is missing", "mpirun -n 2 sph_solver", ": -n 1 fem_solver", "--as left", "--as right")
+
+
+def one_of_two_solids_killed(programs):
+    """The fluid and the solid that lives end with it."""
+    run = Run(programs, [Segment("sph_solver", 1, TWO_GATES), *(Segment("fem_solver", 1, TWO_GATES, ("--as", role)) for role in ("left", "right"))],
+              EVERY_STEP)
+    run.wait_for_rows("coupling/interface.right.csv", 10)
+    cause = run.kill("fem_solver", word="right")
+    run.finish().expect(137, "the partner 'right' (rank", "vanished at t = ", cause=cause)
 
 
 def solver_mistyped_group(programs):

@@ -79,7 +79,9 @@ TEST(SmoothedReference, KnowsAUniformAcceleration)
         SurfaceLoad load;
         load.wall_velocity = {a * (t - 0.5 * last)}; // while the load was measured
         prediction->apply(load, {a * t}, dt);
-        if (n > 0) EXPECT_NEAR(load.wall_velocity[0], a * (t + dt), 1e-12);
+        if (n > 0) {
+            EXPECT_NEAR(load.wall_velocity[0], a * (t + dt), 1e-12);
+        }
         t += dt;
         last = dt;
     }

@@ -18,7 +18,7 @@ Introduction member(const std::string& role, int appnum)
     one.config_file = "coupling.toml";
     one.config_hash = "0123";
     one.version = "abc";
-    one.launch_advice = "mpirun -n 1 sph_solver coupling.toml : -n 1 fem_solver coupling.toml";
+    one.launch = {{"fluid", "sph_solver coupling.toml"}, {"solid", "fem_solver coupling.toml"}};
     one.appnum = appnum;
     return one;
 }
@@ -48,7 +48,7 @@ TEST(Verdict, NamesAMissingRoleAndTheRightCommand)
     EXPECT_EQ(verdict.code, 4);
     EXPECT_TRUE(says(verdict, "'solid' is missing")) << verdict.message;
     EXPECT_TRUE(says(verdict, "'fluid' (ranks 0, 1)")) << verdict.message;
-    EXPECT_TRUE(says(verdict, "mpirun -n 1 sph_solver")) << verdict.message;
+    EXPECT_TRUE(says(verdict, "mpirun -n 2 sph_solver")) << verdict.message;
 }
 
 TEST(Verdict, NamesADoubledRole)
@@ -137,6 +137,13 @@ TEST(Verdict, PassesOnAnErrorOnceWithItsCode)
     EXPECT_EQ(verdict.message, fluid.failure);
 }
 
+TEST(Verdict, AdvisesTheRanksThatAreThere)
+{
+    const auto verdict = judge({member("fluid", 0), member("fluid", 0), member("fluid", 0)});
+    EXPECT_TRUE(says(verdict, "mpirun -n 3 sph_solver coupling.toml : -n 1 fem_solver coupling.toml"))
+        << verdict.message;
+}
+
 TEST(Introduction, SurvivesTheMessage)
 {
     auto sent = member("fluid", 3);
@@ -150,7 +157,7 @@ TEST(Introduction, SurvivesTheMessage)
     const auto got = coupler::unpack_introduction(coupler::pack(sent));
     EXPECT_EQ(got.role, sent.role);
     EXPECT_EQ(got.expected_roles, sent.expected_roles);
-    EXPECT_EQ(got.launch_advice, sent.launch_advice);
+    EXPECT_EQ(launch_line(got.launch), launch_line(sent.launch));
     EXPECT_EQ(got.host, "gauss");
     EXPECT_EQ(got.pid, 4711);
     EXPECT_EQ(got.appnum, 3);

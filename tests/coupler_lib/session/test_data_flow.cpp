@@ -16,7 +16,7 @@ DataFlow water()
     DataFlow flow;
     flow.role = "fluid";
     flow.dimension = 2;
-    flow.fields = coupler::interface_fields(2, "conservative", true);
+    flow.fields = coupler::interface_fields(2, {}, "fluid");
     flow.dt = 0.6 * 1.23e-3 / 30;
     flow.impedance = 1000 * 30;
     return flow;
@@ -27,7 +27,7 @@ DataFlow gate()
     DataFlow flow;
     flow.role = "solid";
     flow.dimension = 2;
-    flow.fields = coupler::interface_fields(2, "conservative", false);
+    flow.fields = coupler::interface_fields(2, {}, "solid");
     flow.groups = {{"left", 40}, {"the free end", 4}};
     flow.density = 1100;
     flow.wave_speed = 153;
@@ -40,6 +40,7 @@ FlowReport check(const DataFlow& fluid, const DataFlow& solid, const std::string
     coupler::CouplingConfig config;
     config.time.end = 0.4;
     config.scheme.scheme = scheme;
+    config.interfaces = {{}};
     return coupler::check_data_flow(config, {fluid, solid});
 }
 
@@ -64,17 +65,42 @@ TEST(DataFlow, ASoundCaseHasNoProblemAndNamesEveryField)
 TEST(DataFlow, NamesWhatIsSentAndNotTaken)
 {
     auto solid = gate();
-    solid.fields = coupler::interface_fields(2, "averaged", false);
+    solid.fields = coupler::interface_fields(2, {.load = "averaged"}, "solid");
     const auto report = check(water(), solid);
     EXPECT_TRUE(says(report.problems, "fluid sends 'force' [N/m], but solid does not take it"));
     EXPECT_TRUE(says(report.problems, "solid needs 'pressure' [Pa], but fluid does not send it"));
+}
+
+/// Each solid is compared with what the fluid has for it.
+TEST(DataFlow, OfTwoSolidsIsCheckedInterfaceByInterface)
+{
+    coupler::CouplingConfig config;
+    config.time.end = 0.4;
+    config.interfaces = {{.solid = "left"}, {.solid = "right", .load = "averaged"}};
+    auto fluid = water(), left = gate(), right = gate();
+    fluid.fields.clear();
+    for (const auto& interface : config.interfaces)
+        for (const auto& field : coupler::interface_fields(2, interface, "fluid")) fluid.fields.push_back(field);
+    left.role = "left";
+    right.role = "right";
+    left.fields = coupler::interface_fields(2, config.interfaces[0], "left");
+    right.fields = coupler::interface_fields(2, config.interfaces[1], "right");
+    const auto report = coupler::check_data_flow(config, {fluid, left, right});
+    EXPECT_TRUE(report.problems.empty()) << report.problems.front();
+    EXPECT_TRUE(says(report.facts, "fluid -> left: force [N/m]"));
+    EXPECT_TRUE(says(report.facts, "fluid -> right: pressure [Pa]"));
+    std::swap(left.fields, right.fields);
+    for (auto* side : {&left, &right})
+        for (auto& field : side->fields) field.partner = "fluid";
+    const auto crossed = coupler::check_data_flow(config, {fluid, left, right});
+    EXPECT_TRUE(says(crossed.problems, "left needs 'pressure' [Pa], but fluid does not send it"));
 }
 
 TEST(DataFlow, NamesUnitsAndDimensionsThatDiffer)
 {
     auto solid = gate();
     solid.dimension = 3;
-    solid.fields = coupler::interface_fields(3, "conservative", false);
+    solid.fields = coupler::interface_fields(3, {}, "solid");
     const auto report = check(water(), solid);
     EXPECT_TRUE(says(report.problems, "fluid sends 'force' in N/m, but solid takes it in N"));
     EXPECT_TRUE(says(report.problems, "fluid is 2D, solid is 3D"));

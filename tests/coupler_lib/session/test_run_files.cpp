@@ -100,4 +100,30 @@ TEST_F(RunFilesTest, ErrorsNameWhatIsWrong)
     EXPECT_TRUE(contains(error_of("coupling.toml"), "two participants are wanted"));
 }
 
+TEST_F(RunFilesTest, SeveralSolidsHaveAnInterfaceEach)
+{
+    const std::string four = "[participants.fluid]\nprogram = 'a'\nfile = 'fluid.toml'\n"
+                             "[participants.left]\nprogram = 'b'\nfile = 'y'\n"
+                             "[participants.right]\nprogram = 'b'\nfile = 'y'\n[time]\nend = 1\n";
+    const auto with = [&](const std::string& interfaces) { write("coupling.toml", four + interfaces); };
+    with("[[interface]]\nsolid = 'left'\n[[interface]]\nsolid = 'right'\nload = 'averaged'\n");
+    const auto config = *read("coupling.toml").coupling;
+    EXPECT_EQ(config.interfaces_of("fluid").size(), 2u);
+    EXPECT_EQ(config.interface_of("right").load_kind(), coupler::LoadKind::averaged);
+    EXPECT_EQ(config.interface_of("right").settings("right").partner, "fluid");
+    EXPECT_EQ(config.interface_of("right").settings("fluid").partner, "right");
+    EXPECT_THROW(config.interface_of("fluid"), base::Error);
+    EXPECT_EQ(read("coupling.toml", {{"coupling.interface.0.load", "averaged"}}).coupling->interface_of("left").load,
+              "averaged");
+
+    with("[[interface]]\nsolid = 'left'\n");
+    EXPECT_TRUE(contains(error_of("coupling.toml"), "'right' has no interface"));
+    with("[[interface]]\nsolid = 'left'\n[[interface]]\nsolid = 'left'\n");
+    EXPECT_TRUE(contains(error_of("coupling.toml"), "'left' has two interfaces"));
+    with("[[interface]]\nsolid = 'left'\n[[interface]]\nsolid = 'rigth'\n");
+    EXPECT_TRUE(contains(error_of("coupling.toml"), "did you mean 'right'"));
+    with("[[interface]]\nsolid = 'left'\n[[interface]]\nfluid = 'left'\nsolid = 'right'\n");
+    EXPECT_TRUE(contains(error_of("coupling.toml"), "different fluids"));
+}
+
 } // namespace

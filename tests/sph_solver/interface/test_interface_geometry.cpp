@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "sph_solver/interface/mapping_report.hpp"
 #include "tests/sph_solver/interface/wet_plate.hpp"
+
+#include <array>
 
 namespace sph {
 namespace {
@@ -63,10 +66,55 @@ TEST(InterfaceGeometry, JumpWorkIsForceTimesJump)
     loads.add(cast.particles, cast.walls, cast.forces.on_wall, 1.0);
     auto after = cast.batch;
     for (std::size_t n = 0; n < after.node_ids.size(); ++n) after.motion.position[2 * n + 1] -= 1e-3;
-    const double work = jump_work(loads.loads(), cast.walls, cast.batch, after).value();
-    const auto total = resultant(loads.loads(), cast.walls, cast.batch, base::Communicator::self());
-    EXPECT_NEAR(work, -1e-3 * total.force[1], 1e-12 * std::abs(total.force[1]));
-    EXPECT_GT(work, 0);
+    const auto works = exchange_works(loads.loads(), cast.walls, {}, cast.batch, after);
+    const double force = resultant(loads.loads(), cast.walls, cast.batch, {})[1].value();
+    EXPECT_NEAR(works.jump.value(), -1e-3 * force, 1e-12 * std::abs(force));
+    EXPECT_NEAR(works.path.value(), works.jump.value(), 1e-12 * std::abs(force)); // the walls have not moved in between
+    EXPECT_GT(works.jump.value(), 0);
+}
+
+/// Two halves of a plate as two interfaces: walls, loads, forces and works are those of the whole one.
+TEST(InterfaceGeometry, TwoInterfacesAreTheWholeOfTheirParts)
+{
+    WetPlate<2> whole(6), halves(6);
+    std::array<coupler::FacetBatch, 2> parts;
+    for (auto& part : parts) {
+        part = whole.batch;
+        part.facet_ids.clear();
+        part.facet_nodes.clear();
+    }
+    for (std::size_t f = 0; f < whole.batch.facet_ids.size(); ++f) {
+        auto& part = parts[f < 2 ? 0 : 1];
+        part.facet_ids.push_back(whole.batch.facet_ids[f]);
+        part.facet_nodes.push_back(whole.batch.facet_nodes[f]);
+    }
+    halves.batch = joined({&parts[0], &parts[1]});
+    whole.evaluate();
+    halves.evaluate();
+    InterfaceLoads<2> of_whole(whole.walls.settings(), true), of_halves(whole.walls.settings(), true);
+    for (auto [cast, loads] : {std::pair{&whole, &of_whole}, std::pair{&halves, &of_halves}}) {
+        loads->begin(cast->walls, 6);
+        loads->add(cast->particles, cast->walls, cast->forces.on_wall, 1.0);
+    }
+    const InterfacePlace second{2, parts[0].node_ids.size()};
+    const double force = resultant(of_whole.loads(), whole.walls, whole.batch, {})[1].value();
+    const double first_half = resultant(of_halves.loads(), halves.walls, parts[0], {})[1].value();
+    const double second_half = resultant(of_halves.loads(), halves.walls, parts[1], second)[1].value();
+    EXPECT_NEAR(first_half + second_half, force, 1e-12 * std::abs(force));
+    EXPECT_NEAR(first_half / second_half, 0.5, 0.2);
+    auto after = parts[1];
+    for (std::size_t n = 0; n < after.node_ids.size(); ++n) after.motion.position[2 * n + 1] -= 1e-3;
+    const auto works = exchange_works(of_halves.loads(), halves.walls, second, parts[1], after);
+    EXPECT_NEAR(works.path.value(), -1e-3 * second_half, 1e-12 * std::abs(force));
+
+    const auto part = part_of(of_halves.loads(), second.facet, 4, 2);
+    ASSERT_EQ(part.corner_force.size(), 4u * 4 * 2);
+    for (std::size_t f = 0; f < 4; ++f)
+        EXPECT_NEAR(part.weighted_pressure[f].value(), of_whole.loads().weighted_pressure[2 + f].value(),
+                    1e-9 * std::abs(force));
+    const auto self = base::Communicator::self();
+    EXPECT_EQ(examine_mapping(halves.walls, parts[1], second, 1.0, self).facets, 4);
+    EXPECT_EQ(examine_mapping(halves.walls, parts[0], {}, 1.0, self).touched, 2);
 }
 
 TEST(InterfaceGeometry, ResultantIsTheSameOnAnyNumberOfRanks)
@@ -82,10 +130,11 @@ TEST(InterfaceGeometry, ResultantIsTheSameOnAnyNumberOfRanks)
     for (std::size_t p = 0; p < share.size(); ++p)
         if (static_cast<int>(p) % world.size() != world.rank()) share[p].setZero();
     mine.add(cast.particles, cast.walls, share, 1.0);
-    const auto expected = resultant(all.loads(), cast.walls, cast.batch, base::Communicator::self());
-    const auto found = resultant(mine.loads(), cast.walls, cast.batch, world);
-    EXPECT_EQ(found.force, expected.force);
-    EXPECT_NEAR(found.moment[2], expected.moment[2], 1e-9 * std::abs(expected.moment[2]));
+    const auto expected = resultant(all.loads(), cast.walls, cast.batch, {});
+    const auto part = resultant(mine.loads(), cast.walls, cast.batch, {});
+    const auto found = world.total({part.begin(), part.end()});
+    for (std::size_t a = 0; a < 3; ++a) EXPECT_EQ(found[a].value(), expected[a].value());
+    EXPECT_NEAR(found[5].value(), expected[5].value(), 1e-9 * std::abs(expected[5].value()));
 }
 
 } // namespace

@@ -60,7 +60,7 @@ TYPED_TEST(InterfaceLoadsTest, MappingIsReported)
     WetPlate<D> cast(7);
     cast.evaluate();
     const auto world = base::Communicator::world();
-    const MappingReport report = examine_mapping(cast.walls, cast.batch, 1.0, world);
+    const MappingReport report = examine_mapping(cast.walls, cast.batch, {}, 1.0, world);
     EXPECT_EQ(report.facets, std::ssize(cast.batch.facet_ids));
     EXPECT_EQ(report.touched, report.facets); // under water all over
     EXPECT_NEAR(report.area, std::pow(10, D - 1), 1e-12);
@@ -80,7 +80,7 @@ TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluidOnItsFootprints)
     InterfaceLoads<D> loads(cast.walls.settings(), false);
     loads.begin(cast.walls, cast.batch.facet_ids.size());
     loads.add(cast.particles, cast.walls, cast.forces.on_wall, 1.0);
-    const auto total = resultant(loads.loads(), cast.walls, cast.batch, base::Communicator::self());
+    const auto total = resultant(loads.loads(), cast.walls, cast.batch, {});
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
     for (std::size_t p = 0; p < cast.forces.on_wall.size(); ++p) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero(), f = Eigen::Vector3d::Zero();
@@ -96,10 +96,10 @@ TYPED_TEST(InterfaceLoadsTest, ForceAndMomentAreThoseOfTheFluidOnItsFootprints)
                                   x.x() * f.y() - x.y() * f.x());
     }
     for (std::size_t a = 0; a < 3; ++a) {
-        EXPECT_NEAR(total.force[a], force[static_cast<int>(a)], 1e-12 * force.norm());
-        EXPECT_NEAR(total.moment[a], moment[static_cast<int>(a)], 1e-11 * force.norm() * 10);
+        EXPECT_NEAR(total[a].value(), force[static_cast<int>(a)], 1e-12 * force.norm());
+        EXPECT_NEAR(total[3 + a].value(), moment[static_cast<int>(a)], 1e-11 * force.norm() * 10);
     }
-    EXPECT_LT(total.force[D - 1], 0); // the water presses downwards
+    EXPECT_LT(total[D - 1].value(), 0); // the water presses downwards
 }
 
 TYPED_TEST(InterfaceLoadsTest, AveragedPressureIsTheHydrostaticOneAtTheWall)
