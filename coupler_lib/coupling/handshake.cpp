@@ -5,7 +5,6 @@
 #include "coupler_lib/foundation/check.hpp"
 
 #include <ctime>
-#include <mpi.h>
 #include <optional>
 #include <unistd.h>
 
@@ -16,20 +15,6 @@ constexpr int introduction_tag = 7101;
 constexpr int verdict_tag = 7102;
 constexpr double extra_wait = 3.0; // [s] for the way back
 
-int world_rank()
-{
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    return rank;
-}
-
-int world_size()
-{
-    int size = 0;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 void nap()
 {
     const timespec pause{0, 200000};
@@ -37,13 +22,13 @@ void nap()
 }
 
 /// The next message with this tag, if one comes before `deadline` [MPI_Wtime].
-std::optional<std::string> next_message(int tag, double deadline, int& source)
+std::optional<std::string> next_message(MPI_Comm world, int tag, double deadline, int& source)
 {
     int arrived = 0;
     MPI_Message message{};
     MPI_Status status{};
     for (;;) {
-        MPI_Improbe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &arrived, &message, &status);
+        MPI_Improbe(MPI_ANY_SOURCE, tag, world, &arrived, &message, &status);
         if (arrived) break;
         if (MPI_Wtime() > deadline) return std::nullopt;
         nap();
@@ -56,9 +41,9 @@ std::optional<std::string> next_message(int tag, double deadline, int& source)
     return text;
 }
 
-void send_text(const std::string& text, int to, int tag)
+void send_text(MPI_Comm world, const std::string& text, int to, int tag)
 {
-    MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
+    MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, to, tag, world);
 }
 
 std::string pack(const HandshakeResult& result)
@@ -97,9 +82,11 @@ std::string list_of_silent(const std::vector<bool>& answered)
 }
 
 /// World rank 0: collects, judges, answers.
-HandshakeResult lead(const Introduction& mine, double timeout)
+HandshakeResult lead(const Introduction& mine, MPI_Comm world, double timeout)
 {
-    const auto ranks = static_cast<std::size_t>(world_size());
+    int size = 0;
+    MPI_Comm_size(world, &size);
+    const auto ranks = static_cast<std::size_t>(size);
     HandshakeResult result;
     result.introductions.resize(ranks);
     result.introductions[0] = mine;
@@ -108,7 +95,7 @@ HandshakeResult lead(const Introduction& mine, double timeout)
     const double deadline = MPI_Wtime() + timeout;
     for (std::size_t count = 1; count < ranks && result.complete; ++count) {
         int source = 0;
-        const auto text = next_message(introduction_tag, deadline, source);
+        const auto text = next_message(world, introduction_tag, deadline, source);
         result.complete = text.has_value();
         if (!text) break;
         result.introductions[static_cast<std::size_t>(source)] = unpack_introduction(*text);
@@ -125,15 +112,15 @@ HandshakeResult lead(const Introduction& mine, double timeout)
                                      launch_line(mine.launch))};
     const std::string answer = pack(result);
     for (std::size_t rank = 1; rank < ranks; ++rank)
-        if (answered[rank]) send_text(answer, static_cast<int>(rank), verdict_tag);
+        if (answered[rank]) send_text(world, answer, static_cast<int>(rank), verdict_tag);
     return result;
 }
 
-HandshakeResult follow(const Introduction& mine, double timeout)
+HandshakeResult follow(const Introduction& mine, MPI_Comm world, double timeout)
 {
-    send_text(pack(mine), 0, introduction_tag);
+    send_text(world, pack(mine), 0, introduction_tag);
     int source = 0;
-    const auto answer = next_message(verdict_tag, MPI_Wtime() + timeout + extra_wait, source);
+    const auto answer = next_message(world, verdict_tag, MPI_Wtime() + timeout + extra_wait, source);
     if (answer) return unpack_result(*answer);
     HandshakeResult result;
     result.complete = false;
@@ -146,7 +133,7 @@ HandshakeResult follow(const Introduction& mine, double timeout)
 
 } // namespace
 
-HandshakeResult shake_hands(Introduction mine, double timeout)
+HandshakeResult shake_hands(Introduction mine, MPI_Comm world, double timeout)
 {
     char name[MPI_MAX_PROCESSOR_NAME] = "";
     int length = 0;
@@ -157,7 +144,9 @@ HandshakeResult shake_hands(Introduction mine, double timeout)
     int found = 0;
     MPI_Comm_get_attr(MPI_COMM_WORLD, MPI_APPNUM, &appnum, &found);
     mine.appnum = found ? *appnum : 0;
-    return world_rank() == 0 ? lead(mine, timeout) : follow(mine, timeout);
+    int rank = 0;
+    MPI_Comm_rank(world, &rank);
+    return rank == 0 ? lead(mine, world, timeout) : follow(mine, world, timeout);
 }
 
 } // namespace coupler

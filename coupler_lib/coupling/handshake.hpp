@@ -2,6 +2,7 @@
 #pragma once
 #include "coupler_lib/coupling/introduction.hpp"
 
+#include <mpi.h>
 #include <vector>
 
 namespace coupler {
@@ -17,8 +18,9 @@ struct HandshakeResult {
 /// point, so that a rank that does not take part is noticed.
 ///
 /// \param mine     fields host, pid and appnum are filled in here
+/// \param world    all ranks of the run
 /// \param timeout  world rank 0 waits so long for introductions, the others 3 s more for the verdict [s]
-/// Collective over MPI_COMM_WORLD; prints nothing.
-HandshakeResult shake_hands(Introduction mine, double timeout);
+/// Collective over `world`; prints nothing.
+HandshakeResult shake_hands(Introduction mine, MPI_Comm world, double timeout);
 
 } // namespace coupler

@@ -37,22 +37,22 @@ void print_line(const std::string& line)
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-int rank_in_world()
+int rank_in(MPI_Comm world)
 {
     int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_rank(world, &rank);
     return rank;
 }
 
 /// Introductions of all ranks, or AgreedError.
 std::vector<Introduction> meet(const ParticipantSettings& settings)
 {
-    HandshakeResult result = shake_hands(introduction_of(settings), settings.handshake_timeout);
+    HandshakeResult result = shake_hands(introduction_of(settings), settings.world, settings.handshake_timeout);
     if (result.verdict.code == 0) return std::move(result.introductions);
-    if (rank_in_world() == 0 || result.introductions.empty()) print_line("rivage: " + result.verdict.message);
+    if (rank_in(settings.world) == 0 || result.introductions.empty()) print_line("rivage: " + result.verdict.message);
     if (!result.complete) {
-        Patience::nap(rank_in_world() == 0 ? 0.1 : 1.0);
-        MPI_Abort(MPI_COMM_WORLD, result.verdict.code);
+        Patience::nap(rank_in(settings.world) == 0 ? 0.1 : 1.0);
+        MPI_Abort(settings.world, result.verdict.code);
     }
     throw AgreedError(static_cast<base::ExitCode>(result.verdict.code), result.verdict.message, true);
 }
@@ -81,17 +81,17 @@ private:
 struct Participant::Parts {
     explicit Parts(const ParticipantSettings& given)
         : settings(given),
-          watch("'" + given.role + "' (rank " + std::to_string(rank_in_world()) + ")"),
+          watch("'" + given.role + "' (rank " + std::to_string(rank_in(given.world)) + ")"),
           introductions(meet(given)),
-          errors(MPI_COMM_WORLD)
+          errors(given.world)
     {
-        world_rank = rank_in_world();
+        world_rank = rank_in(given.world);
         std::set<std::string> names;
         for (const auto& one : introductions) names.insert(one.role);
         roles.assign(names.begin(), names.end());
         const auto colour = std::distance(names.begin(), names.find(settings.role));
-        MPI_Comm_split(MPI_COMM_WORLD, static_cast<int>(colour), world_rank, role_comm.put());
-        MPI_Comm_dup(MPI_COMM_WORLD, coupling_comm.put());
+        MPI_Comm_split(given.world, static_cast<int>(colour), world_rank, role_comm.put());
+        MPI_Comm_dup(given.world, coupling_comm.put());
         comm = base::Communicator(role_comm.get());
         world_size = static_cast<int>(introductions.size());
         for (const auto& [role, ranks] : settings.recorded) add_recorded(role, ranks);
@@ -274,7 +274,7 @@ void Participant::report_failure(const base::Error& error) noexcept
     } else {
         Patience::nap(2.0); // the one that failed ends this process; if it cannot, end it here
     }
-    MPI_Abort(MPI_COMM_WORLD, code);
+    MPI_Abort(parts_->settings.world, code);
 }
 
 void Participant::finish() { parts_->errors.tell_farewell(0.1); }

@@ -18,6 +18,7 @@ namespace coupler {
 /// What a rank needs to know to take part in a run; the same on every rank of a role. A solver from outside fills in the
 /// roles and leaves the rest: what is empty is not compared.
 struct ParticipantSettings {
+    MPI_Comm world = MPI_COMM_WORLD;         ///< all ranks of the run
     std::string role;                        ///< by default what the executable is: "fluid", "solid"
     std::vector<std::string> expected_roles; ///< all roles of the run, own one included; empty or {role}: runs alone
     std::string config_file;                 ///< the shared file, for messages
@@ -52,11 +53,11 @@ private:
 
 /// This rank as a member of a coupled run (or of one that runs alone).
 ///
-/// The constructor is collective over MPI_COMM_WORLD: roles are found by name through a handshake with a deadline,
+/// The constructor is collective over ParticipantSettings::world, MPI_COMM_WORLD unless told otherwise: roles are found by name through a handshake with a deadline,
 /// never by the launch segment. It throws AgreedError (orderly) when the run cannot start: world rank 0 has then
 /// printed the one message, and every rank finalises MPI and returns the error's code.
 ///
-/// Afterwards nobody uses MPI_COMM_WORLD: solvers use `comm()`, the interfaces `coupling_comm()`.
+/// Afterwards nobody uses that communicator: solvers use `comm()`, the interfaces `coupling_comm()`.
 class Participant {
 public:
     explicit Participant(const ParticipantSettings& settings);

@@ -19,18 +19,20 @@ constexpr int silence_magic = 0x71736576;
 int silence_signal() { return SIGRTMIN + 5; }
 
 // What a signal handler may touch: lock-free atomics and a pipe.
-std::atomic<int> wake_pipe{-1};
+constexpr int most_watches = 16;
+std::atomic<int> wake_pipes[most_watches]; // of each watch; 0: free
 std::atomic<bool> silenced{false};
 std::atomic<bool> stop_wanted{false};
 
-void wake(char what)
+void wake(int pipe, char what) { [[maybe_unused]] const auto written = write(pipe, &what, 1); }
+
+void on_terminate(int)
 {
     const int saved = errno;
-    [[maybe_unused]] const auto written = write(wake_pipe.load(), &what, 1);
+    for (const auto& pipe : wake_pipes)
+        if (const int open = pipe.load(); open > 0) wake(open, 't');
     errno = saved;
 }
-
-void on_terminate(int) { wake('t'); }
 void on_stop(int) { stop_wanted = true; }
 void on_silence(int, siginfo_t* info, void*)
 {
@@ -51,6 +53,34 @@ void install_silence()
     action.sa_sigaction = on_silence;
     action.sa_flags = SA_RESTART | SA_SIGINFO;
     sigaction(silence_signal(), &action, nullptr);
+}
+
+/// The place of a new watch. The first one takes the signals.
+int take_place(int pipe)
+{
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    const bool first = std::ranges::all_of(wake_pipes, [](const auto& other) { return other.load() == 0; });
+    const auto place = std::ranges::find_if(wake_pipes, [](const auto& other) { return other.load() == 0; });
+    base::require_input(place != std::end(wake_pipes), "a process takes part in at most ", most_watches,
+                        " runs at a time");
+    place->store(pipe);
+    if (first) {
+        silenced = stop_wanted = false;
+        install_silence();
+        install(SIGTERM, on_terminate);
+        install(SIGUSR1, on_stop);
+    }
+    return static_cast<int>(place - std::begin(wake_pipes));
+}
+
+/// The last one gives the signals back.
+void leave_place(int place)
+{
+    wake_pipes[place] = 0;
+    if (std::ranges::any_of(wake_pipes, [](const auto& other) { return other.load() != 0; })) return;
+    install(SIGTERM, SIG_DFL);
+    install(SIGUSR1, SIG_DFL);
 }
 
 void nap_ms(int milliseconds)
@@ -80,6 +110,7 @@ struct SignalWatch::Shared {
     std::atomic<std::int64_t> step{-1};
     std::atomic<double> time{0};
     int pipe[2] = {-1, -1};
+    int place = 0;
     std::thread thread;
 
     std::vector<Neighbour> known_neighbours()
@@ -144,22 +175,15 @@ SignalWatch::SignalWatch(const std::string& own_name) : shared_(std::make_unique
     shared_->own_name = own_name;
     base::require(pipe2(shared_->pipe, O_CLOEXEC) == 0, base::ExitCode::bad_input,
                   "no pipe for the signal watch: too many open files?");
-    silenced = false;
-    stop_wanted = false;
-    wake_pipe = shared_->pipe[1];
-    install_silence();
-    install(SIGTERM, on_terminate);
-    install(SIGUSR1, on_stop);
+    shared_->place = take_place(shared_->pipe[1]);
     shared_->thread = std::thread([shared = shared_.get()] { shared->run(); });
 }
 
 SignalWatch::~SignalWatch()
 {
-    install(SIGTERM, SIG_DFL);
-    install(SIGUSR1, SIG_DFL);
-    wake('q');
+    leave_place(shared_->place);
+    wake(shared_->pipe[1], 'q');
     shared_->thread.join();
-    wake_pipe = -1;
     close(shared_->pipe[0]);
     close(shared_->pipe[1]);
 }

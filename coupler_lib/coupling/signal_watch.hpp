@@ -19,7 +19,8 @@ struct Neighbour {
 /// mpirun answers the death of one process by SIGTERM to all others, and about a second later by SIGKILL. A thread of
 /// its own therefore looks at once whether a neighbour is gone. If so it prints who vanished, when, and ends this
 /// process with code 4; the other survivors on the host are told to stay silent. If all live, SIGTERM and SIGUSR1 are a
-/// request to stop. The thread makes no MPI call. One object at a time.
+/// request to stop. The thread makes no MPI call. A process may have several,
+/// one for each run that it takes part in; a request to stop reaches all.
 class SignalWatch {
 public:
     /// \param own_name  role, for the message

@@ -65,20 +65,41 @@ void read_own(const ProgramInfo& program, const CommandLine& command, const std:
     files.used_own = reader.used();
 }
 
-void read_shared(const base::ConfigDocument& document, const CommandLine& command, RunFiles& files)
+/// Of the file and all overrides, which all participants must agree on.
+std::string config_hash(const CommandLine& command)
 {
+    std::string hashed = content_of(command.file);
+    for (const auto& [key, value] : command.overrides) hashed += "\n" + key + "=" + value;
+    return hash_of(hashed);
+}
+
+/// \param used gets the file as TOML, defaults filled in
+CouplingConfig read_shared(base::ConfigDocument document, const CommandLine& command, const std::string& role,
+                           std::string& used)
+{
+    apply_overrides(document, "coupling", command);
     base::ConfigReader reader(document);
-    files.coupling = read_coupling_config(reader);
-    files.used_coupling = reader.used();
-    const auto roles = files.coupling->roles();
-    base::require_input(std::find(roles.begin(), roles.end(), files.role) != roles.end(), "--as ", files.role, ": ",
-                        command.file, " has no [participants.", files.role, "]", base::suggestion(files.role, roles));
-    auto prefixes = roles;
+    CouplingConfig config = read_coupling_config(reader);
+    used = reader.used();
+    auto prefixes = config.roles();
+    base::require_input(std::ranges::find(prefixes, role) != prefixes.end(), "--as ", role, ": ", command.file,
+                        " has no [participants.", role, "]", base::suggestion(role, prefixes));
     prefixes.push_back("coupling");
     check_prefixes(command, prefixes);
+    return config;
 }
 
 } // namespace
+
+SharedFile read_shared_file(const std::string& path, const std::string& role,
+                            const std::vector<std::pair<std::string, std::string>>& overrides)
+{
+    CommandLine command;
+    command.file = path;
+    command.overrides = overrides;
+    std::string used;
+    return {read_shared(base::ConfigDocument::load(path), command, role, used), config_hash(command)};
+}
 
 RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command)
 {
@@ -89,18 +110,14 @@ RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command)
     files.output_dir = command.output_dir.empty() ? default_output_dir(files.case_dir) : command.output_dir;
     files.coupling_file = command.file;
 
-    auto document = base::ConfigDocument::load(command.file);
-    std::string hashed = content_of(command.file);
-    for (const auto& [key, value] : command.overrides) hashed += "\n" + key + "=" + value;
-    files.config_hash = hash_of(hashed);
-
+    const auto document = base::ConfigDocument::load(command.file);
+    files.config_hash = config_hash(command);
     if (!document.root().find("participants")) {
         check_prefixes(command, {files.role});
         read_own(program, command, command.file, files);
         return files;
     }
-    apply_overrides(document, "coupling", command);
-    read_shared(document, command, files);
+    files.coupling = read_shared(document, command, files.role, files.used_coupling);
     for (const auto& [name, participant] : files.coupling->participants)
         if (name == files.role)
             read_own(program, command, (fs::path(files.case_dir) / participant.file).string(), files);

@@ -44,6 +44,16 @@ struct RunFiles {
     std::shared_ptr<ReplayVerdict> replay;    ///< of a run with --replay; else null
 };
 
+/// The shared file with its overrides, and the hash of both.
+struct SharedFile {
+    CouplingConfig config;
+    std::string hash;
+};
+
+/// Reads coupling.toml for a role whose own file is its own matter: a solver from outside. Throws Error(bad_input).
+SharedFile read_shared_file(const std::string& path, const std::string& role,
+                            const std::vector<std::pair<std::string, std::string>>& overrides);
+
 /// Reads everything, checks every key. Throws Error(bad_input) with file, line, column.
 RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command);
 

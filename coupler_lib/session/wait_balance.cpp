@@ -30,6 +30,7 @@ std::string wait_advice(const std::vector<WaitShare>& waits)
     const auto most = std::max_element(waits.begin(), waits.end(),
                                        [](const WaitShare& a, const WaitShare& b) { return a.share < b.share; });
     if (most == waits.end()) return "";
+    if (waits.size() == 1) return shares; // the partner is a solver from outside, which does not tell
     if (most->share <= balanced) return shares + ": balanced";
     if (most->ranks == 1) return fmt::format("{}: give {} more ranks", shares, bottlenecks(waits));
     return fmt::format("{}: give {} fewer ranks, or {} more", shares, most->role, bottlenecks(waits));

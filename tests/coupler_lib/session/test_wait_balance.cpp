@@ -30,6 +30,7 @@ TEST(WaitBalance, LeavesAFairShareAlone)
 {
     EXPECT_EQ(wait_advice({{"fluid", 4, 0.05}, {"solid", 1, 0.12}}), "fluid waits 5 %, solid waits 12 %: balanced");
     EXPECT_EQ(wait_advice({}), "");
+    EXPECT_EQ(wait_advice({{"fluid", 1, 0.45}}), "fluid waits 45 %");
 }
 
 TEST(WaitBalance, SurvivesTheMessage)

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""The two ends of an interface."""
+import ctypes
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from rivage import library as c
+
+EVERYWHERE = np.array([[-1e30] * 3, [1e30] * 3])
+
+
+@dataclass(frozen=True)
+class Window:
+    """Packet `step` is exchanged at `time` [s], and a step of `dt` follows. step -1 is the greeting."""
+    step: int
+    time: float
+    dt: float
+    last: bool = False
+    stop_requested: bool = False
+
+
+def fill(report, values: dict) -> None:
+    """Sets a report's fields. Raises TypeError on a name that it does not have."""
+    known = {name for name, *_ in report._fields_}
+    for name, value in values.items():
+        if name not in known:
+            raise TypeError(f"'{name}' is no field of a report; there are: {', '.join(sorted(known))}")
+        if name in ("force", "moment"):
+            value = (ctypes.c_double * 3)(*np.pad(np.ravel(value), (0, 3 - np.size(value))))
+        setattr(report, name, value)
+
+
+class Solid:
+    """The solid's end. After `receive`: force [nodes, dimension] or pressure [facets], impedance rho c [kg/(m^2 s)],
+    wall_velocity [nodes, dimension], fluid_report."""
+
+    def __init__(self, participant, check, dimension: int, node_ids, reference, facets, facet_ids):
+        self.participant, self.check = participant, check
+        ids = np.ascontiguousarray(node_ids, dtype=np.int64)
+        self.reference = c.as_array(reference, np.float64, (len(ids), dimension), "reference").copy()
+        corners = np.full((len(facets), 4), -1, dtype=np.int32)
+        for row, nodes in zip(corners, facets):
+            row[:len(nodes)] = nodes
+        numbers = c.as_array(np.arange(len(facets)) if facet_ids is None else facet_ids, np.int64, (len(facets),), "facet_ids")
+        self.facets = corners
+        self.handle = ctypes.c_void_p()
+        check(c.LIBRARY.rivage_solid_open(participant.handle, dimension, len(ids), c.pointer(ids, c.LONG), c.pointer(self.reference),
+                                          len(facets), c.pointer(numbers, c.LONG), c.pointer(corners, c.INT),
+                                          ctypes.byref(self.handle)))
+
+    def receive(self) -> Window:
+        """Waits for the fluid's packet."""
+        window = c.CWindow()
+        self.check(c.LIBRARY.rivage_solid_receive(self.handle, ctypes.byref(window)))
+        return Window(window.step, window.time, window.dt, bool(window.last), bool(window.stop_requested))
+
+    def windows(self) -> Iterator[Window]:
+        """Receives until the last window; answer each with one `send`."""
+        window = Window(-1, 0, 0)
+        while not window.last:
+            window = self.receive()
+            yield window
+
+    @property
+    def force(self) -> np.ndarray:
+        return c.view(c.LIBRARY.rivage_solid_force(self.handle), self.reference.shape)
+
+    @property
+    def pressure(self) -> np.ndarray:
+        return c.view(c.LIBRARY.rivage_solid_pressure(self.handle), (len(self.facets),))
+
+    @property
+    def wall_velocity(self) -> np.ndarray:
+        """Mean velocity of the nodes while the load was measured."""
+        return c.view(c.LIBRARY.rivage_solid_wall_velocity(self.handle), self.reference.shape)
+
+    @property
+    def impedance(self) -> float:
+        return c.LIBRARY.rivage_solid_impedance(self.handle)
+
+    @property
+    def fluid_report(self) -> c.FluidReport:
+        report = c.FluidReport()
+        self.check(c.LIBRARY.rivage_solid_fluid_report(self.handle, ctypes.byref(report)))
+        return report
+
+    def predict(self, velocity, dt: float) -> None:
+        """What coupling.scheme makes of the load for a step of dt, in place; once for each step, with the velocity at its start."""
+        array = c.as_array(velocity, np.float64, self.reference.shape, "velocity")
+        self.check(c.LIBRARY.rivage_solid_predict(self.handle, c.pointer(array), dt))
+
+    def send(self, position, velocity, acceleration, **report) -> None:
+        """Answers the last receive, each array [nodes, dimension]. report: fields of SolidReport, e.g. work, kinetic, strain."""
+        arrays = [c.as_array(values, np.float64, self.reference.shape, name)
+                  for name, values in (("position", position), ("velocity", velocity), ("acceleration", acceleration))]
+        told = c.SolidReport()
+        fill(told, report)
+        self.check(c.LIBRARY.rivage_solid_send(self.handle, *map(c.pointer, arrays), ctypes.byref(told)))
+
+    def close(self) -> None:
+        if self.handle:
+            self.check(c.LIBRARY.rivage_solid_close(self.handle))
+        self.handle = None
+
+
+class Fluid:
+    """The fluid's end. After `receive`: node_ids, facet_ids, facet_nodes [facets, 4], position, velocity and acceleration
+    [nodes, dimension] of the facets in the region asked for."""
+
+    def __init__(self, participant, check, dimension: int, impedance: float, partner: str | None, pressure_limit: float,
+                 output_dir: str | os.PathLike | None):
+        self.participant, self.check, self.dimension = participant, check, dimension
+        self.handle = ctypes.c_void_p()
+        check(c.LIBRARY.rivage_fluid_open(participant.handle, partner.encode() if partner else None, dimension, impedance,
+                                          pressure_limit, os.fsencode(output_dir) if output_dir else None, ctypes.byref(self.handle)))
+
+    @property
+    def facet_count(self) -> int:
+        return c.LIBRARY.rivage_fluid_facets(self.handle)
+
+    def nodal(self, name: str) -> np.ndarray:
+        shape = (c.LIBRARY.rivage_fluid_nodes(self.handle), self.dimension)
+        return c.view(getattr(c.LIBRARY, f"rivage_fluid_{name}")(self.handle), shape)
+
+    @property
+    def position(self) -> np.ndarray:
+        return self.nodal("position")
+
+    @property
+    def velocity(self) -> np.ndarray:
+        return self.nodal("velocity")
+
+    @property
+    def acceleration(self) -> np.ndarray:
+        return self.nodal("acceleration")
+
+    @property
+    def node_ids(self) -> np.ndarray:
+        return c.view(c.LIBRARY.rivage_fluid_node_ids(self.handle), (c.LIBRARY.rivage_fluid_nodes(self.handle),), np.int64)
+
+    @property
+    def facet_ids(self) -> np.ndarray:
+        return c.view(c.LIBRARY.rivage_fluid_facet_ids(self.handle), (self.facet_count,), np.int64)
+
+    @property
+    def facet_nodes(self) -> np.ndarray:
+        return c.view(c.LIBRARY.rivage_fluid_facet_nodes(self.handle), (self.facet_count, 4), np.int32)
+
+    @property
+    def stop_agreed(self) -> bool:
+        """The next window must be the last, with stop_requested."""
+        return bool(c.LIBRARY.rivage_fluid_stop_agreed(self.handle))
+
+    def send(self, window: Window, corner_force=None, weight=None, weighted_pressure=None, full_weight=None, region=EVERYWHERE,
+             **report) -> None:
+        """Sends the load on the facets of the last receive: corner_force [facets, 4, dimension], and for averaged loads weight,
+        weighted_pressure, full_weight [facets]. region: [[low], [high]] of the box where facets are wanted."""
+        facets, low_high = self.facet_count, np.zeros((2, 3))
+        low_high[:, :np.shape(region)[1]] = region
+        shapes = ((facets, 4, self.dimension), (facets,), (facets,), (facets,))
+        names = ("corner_force", "weight", "weighted_pressure", "full_weight")
+        arrays = [None if values is None else c.as_array(values, np.float64, shape, name) for name, shape, values in
+                  zip(names, shapes, (corner_force, weight, weighted_pressure, full_weight))]
+        told, sent = c.FluidReport(), c.CWindow(window.step, window.time, window.dt, window.last, window.stop_requested)
+        fill(told, report)
+        self.check(c.LIBRARY.rivage_fluid_send(self.handle, ctypes.byref(sent), c.pointer(low_high[0]), c.pointer(low_high[1]),
+                                               *map(c.pointer, arrays), ctypes.byref(told)))
+
+    def receive(self) -> c.SolidReport:
+        """Waits for the solid's answer; returns its report."""
+        report = c.SolidReport()
+        self.check(c.LIBRARY.rivage_fluid_receive(self.handle, ctypes.byref(report)))
+        return report
+
+    def close(self) -> None:
+        if self.handle:
+            self.check(c.LIBRARY.rivage_fluid_close(self.handle))
+        self.handle = None

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Solvers from outside: the C example against the installed library, the Python module, what each says when something is wrong.
+
+usage: outside.py --build FOLDER [unittest's arguments]
+"""
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from coupled_run import ENVIRONMENT, ROOT
+
+ARGUMENTS = argparse.Namespace()
+CASE = ROOT / "tests" / "coupled" / "drill_case" / "coupling.toml"
+C_EXAMPLE = ROOT / "coupler_lib" / "c_api" / "spring_plate.c"
+PYTHON_EXAMPLE = ROOT / "coupler_lib" / "python" / "examples" / "spring_plate.py"
+# A constant pressure of 1000 Pa on a metre, m = 100 kg, k = 1e6 N/m: u = -1 mm (1 - cos 100 t), small steps.
+SETTINGS = ["fluid.fluid.radiating=false", "fluid.fluid.dt=1e-5", "coupling.time.end=0.03", "coupling.coupling.acceleration=nodal"]
+EXACT = -1e-3 * (1 - np.cos(100 * 0.03))
+TWO_RUNS = """
+import sys, numpy as np, rivage
+from mpi4py import MPI
+rank, case = MPI.COMM_WORLD.Get_rank(), sys.argv[1]
+roles = ("fluid", "solid") if rank == 0 else ("solid", "fluid")   # the other way round in the second run
+runs = [rivage.Participant(role, case, world=MPI.COMM_WORLD.Dup()) for role in roles]
+sides = [run.fluid(2, 1e5) if run.role == "fluid" else run.solid(2, [0, 1], [[1 + k, 0], [k, 0]], [[0, 1]]) for k, run in enumerate(runs)]
+fluid, solid = sides if rank == 0 else sides[::-1]
+for window in (rivage.Window(-1, 0, 0), rivage.Window(0, 0, 1e-3, True)):
+    corners = None if window.step < 0 else np.tile([[0.0, -3.0]], (fluid.facet_count, 4, 1)) * [[[1], [1], [0], [0]]]
+    fluid.send(window, corner_force=corners)
+    assert solid.receive() == window
+    solid.send(solid.reference, 0 * solid.reference, 0 * solid.reference, work=rank + 1.0)
+    report = fluid.receive()
+assert solid.force.tolist() == [[0, -3], [0, -3]] and report.work == 2 - rank
+assert fluid.position[0, 0] == (1 if rank == 1 else 0) + 1, fluid.position   # the surface of the run in which I am the fluid
+for run in runs:
+    run.leave()
+print("two runs, rank", rank)
+"""
+
+
+class Outside(unittest.TestCase):
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+
+    def mpirun(self, *segments: list[str]) -> subprocess.CompletedProcess:
+        line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
+        for k, segment in enumerate(segments):
+            line += [":"] * (k > 0) + segment
+        environment = os.environ | ENVIRONMENT | {"PYTHONPATH": str(ARGUMENTS.build / "python")}
+        return subprocess.run(line, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=100, check=False)
+
+    def fluid(self, *settings: str) -> list[str]:
+        overrides = [word for setting in (*SETTINGS, *settings) for word in ("--set", setting)]
+        return ["-n", "1", str(ARGUMENTS.build / "bin" / "fake_fluid"), str(CASE), "--out", str(self.folder / "out"), *overrides]
+
+    def script(self, text: str) -> str:
+        path = self.folder / "solver.py"
+        path.write_text(text, encoding="utf-8")
+        return str(path)
+
+    def assert_swings(self, done: subprocess.CompletedProcess) -> None:
+        self.assertEqual(done.returncode, 0, done.stdout)
+        found = re.search(r"plate: u = (\S+) m at t = 0.03 s", done.stdout)
+        self.assertIsNotNone(found, done.stdout)
+        self.assertAlmostEqual(float(found[1]) / EXACT, 1, delta=0.003)
+
+    def test_the_c_example_with_the_installed_library(self) -> None:
+        prefix, example = self.folder / "prefix", self.folder / "spring_plate"
+        subprocess.run(["cmake", "--install", str(ARGUMENTS.build), "--prefix", str(prefix), "--component", "coupler"],
+                       check=True, stdout=subprocess.DEVNULL)
+        package = next(prefix.rglob("rivage.pc")).parent
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", "rivage"], env=os.environ | {"PKG_CONFIG_PATH": str(package)},
+                               check=True, capture_output=True, text=True).stdout.split()
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", str(C_EXAMPLE), *flags, f"-Wl,-rpath,{package.parent}",
+                        "-o", str(example)], check=True)
+        self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", str(example), str(CASE), *SETTINGS]))
+        wrong = self.mpirun(self.fluid(), ["-n", "1", str(example), str(CASE), *SETTINGS, "coupling.time.ende=1"])
+        self.assertEqual(wrong.returncode, 2, wrong.stdout)
+        self.assertIn("did you mean 'end'", wrong.stdout)
+
+    def test_the_cmake_package(self) -> None:
+        prefix, project = self.folder / "prefix", self.folder / "project"
+        subprocess.run(["cmake", "--install", str(ARGUMENTS.build), "--prefix", str(prefix), "--component", "coupler"],
+                       check=True, stdout=subprocess.DEVNULL)
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(own LANGUAGES C)\nfind_package(rivage REQUIRED)\n"
+            f"add_executable(own {C_EXAMPLE})\ntarget_link_libraries(own rivage::rivage)\n", encoding="utf-8")
+        for line in (["cmake", "-S", str(project), "-B", str(project / "b"), f"-DCMAKE_PREFIX_PATH={prefix}"],
+                     ["cmake", "--build", str(project / "b")]):
+            subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
+
+    def test_the_python_example(self) -> None:
+        self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), *SETTINGS]))
+
+    def test_an_exception_in_python_ends_all_with_its_message(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (wet", "1 / (2 - window.step); a = (wet")
+        done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text), str(CASE), *SETTINGS])
+        self.assertEqual(done.returncode, 3, done.stdout)
+        self.assertIn("ZeroDivisionError: division by zero", done.stdout)
+        self.assertEqual(done.stdout.count("rivage: "), 1, done.stdout)
+
+    def test_wrong_arrays_are_named(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
+        for good, bad, words in (("vertical(v), vertical(a),", "vertical(v)[0], vertical(a),", "velocity has the shape (2,)"),
+                                 ("kinetic=", "kinetik=", "'kinetik' is no field of a report"),
+                                 ("vertical(a), k", "vertical(a * np.nan), k", "is not a number")):
+            done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text.replace(good, bad)), str(CASE), *SETTINGS])
+            self.assertIn(words, done.stdout)
+            self.assertNotEqual(done.returncode, 0)
+
+    def test_a_role_that_nobody_knows(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace('"solid"', '"soild"')
+        done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text), str(CASE), *SETTINGS])
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("did you mean 'solid'", done.stdout)
+
+    def test_two_runs_in_one_process(self) -> None:
+        done = self.mpirun(["-n", "2", "/usr/bin/python3", self.script(TWO_RUNS), str(CASE)])
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("two runs, rank 0", done.stdout)
+        self.assertIn("two runs, rank 1", done.stdout)
+
+
+if __name__ == "__main__":
+    PARSER = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    PARSER.add_argument("--build", type=lambda text: Path(text).resolve(), required=True)
+    ARGUMENTS, REST = PARSER.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *REST])
