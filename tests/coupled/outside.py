@@ -110,6 +110,12 @@ class Outside(unittest.TestCase):
         self.assertIn("ZeroDivisionError: division by zero", done.stdout)
         self.assertEqual(done.stdout.count("rivage: "), 1, done.stdout)
 
+    def test_leaving_by_sys_exit_ends_all_too(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (wet", "sys.exit(1) if window.step == 2 else 0; a = (wet")
+        done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text), str(CASE), *SETTINGS])
+        self.assertEqual(done.returncode, 3, done.stdout)
+        self.assertIn("SystemExit: 1", done.stdout)
+
     def test_wrong_arrays_are_named(self) -> None:
         text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
         for good, bad, words in (("vertical(v), vertical(a),", "vertical(v)[0], vertical(a),", "velocity has the shape (2,)"),

@@ -126,6 +126,7 @@ class Participant:
     def __exit__(self, kind, error, trace) -> None:
         if kind is None:
             self.leave()
-        elif issubclass(kind, Exception):
-            code = error.code if isinstance(error, Error) else 3
-            self.fail(str(error) if isinstance(error, Error) else f"{kind.__name__}: {error}", code)
+        elif isinstance(error, Error):
+            self.fail(str(error), error.code)
+        else:       # also of sys.exit and Ctrl-C: the partners must not wait for a solver that has gone
+            self.fail(f"{kind.__name__}: {error}")
