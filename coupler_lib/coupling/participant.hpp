@@ -53,9 +53,9 @@ private:
 
 /// This rank as a member of a coupled run (or of one that runs alone).
 ///
-/// The constructor is collective over ParticipantSettings::world, MPI_COMM_WORLD unless told otherwise: roles are found by name through a handshake with a deadline,
-/// never by the launch segment. It throws AgreedError (orderly) when the run cannot start: world rank 0 has then
-/// printed the one message, and every rank finalises MPI and returns the error's code.
+/// The constructor is collective over ParticipantSettings::world: roles are found by name through a handshake with a
+/// deadline, never by the launch segment. It throws AgreedError (orderly) when the run cannot start: world rank 0 has
+/// then printed the one message, and every rank finalises MPI and returns the error's code.
 ///
 /// Afterwards nobody uses that communicator: solvers use `comm()`, the interfaces `coupling_comm()`.
 class Participant {
