@@ -148,10 +148,10 @@ template<int D> void SolidLink<D>::summarise(base::JsonObject& figures) const
 {
     double wait = 0, mismatch = 0;
     base::JsonObject all;
-    for (std::size_t k = 0; k < interfaces_.size(); ++k) {
-        all.set(session_.coupling().interfaces[k].solid, interfaces_[k]->figures());
-        wait += interfaces_[k]->wait_seconds();
-        mismatch = std::max(mismatch, interfaces_[k]->mismatch());
+    for (const auto& interface : interfaces_) {
+        all.set(interface->partner(), interface->figures());
+        wait += interface->wait_seconds();
+        mismatch = std::max(mismatch, interface->mismatch());
     }
     figures.set("wait_s", session_.comm().max(wait)).set("interfaces", all);
     if (!record_) return;

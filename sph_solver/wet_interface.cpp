@@ -49,7 +49,9 @@ void WetInterface<D>::send(const coupler::Window& window, const coupler::RegionB
 template<int D> void WetInterface<D>::receive()
 {
     last_batch_ = std::move(batch_);
+    last_batch_.motion.position = std::move(received_position_);
     batch_ = exchange_.receive(solid_);
+    received_position_ = batch_.motion.position;
 }
 
 /// x += v dt + a dt^2/2, v += a dt

@@ -22,6 +22,7 @@ public:
     InterfacePlace take_place(const InterfacePlace& first);
     const coupler::FacetBatch& batch() const { return batch_; }
     const coupler::SolidReport& solid() const { return solid_; }
+    const std::string& partner() const { return config_.solid; }
     [[nodiscard]] bool stop_agreed() const { return exchange_.stop_agreed(); }
 
     /// Sends the load on its facets.
@@ -54,7 +55,8 @@ private:
     std::size_t number_;
     InterfacePlace place_;
     coupler::FluidInterface exchange_;
-    coupler::FacetBatch batch_, last_batch_;
+    coupler::FacetBatch batch_, last_batch_; ///< the last as it was received
+    std::vector<double> received_position_;  ///< of the batch, before it coasts [m]
     coupler::FluidReport report_;
     coupler::SolidReport solid_;
     MappingReport mapping_;                          ///< at the start

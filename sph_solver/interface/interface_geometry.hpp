@@ -41,11 +41,11 @@ std::array<base::ReproducibleSum, 6> resultant(const coupler::FacetLoads& loads,
 struct ExchangeWorks {
     /// Because a new motion does not begin where the walls ended: sum over corners of f_c . (X_c(new) - x_c(end of the step))
     base::ReproducibleSum jump;
-    /// Along the solid's way over the step: sum of f_c . (X_c(new) - X_c(old))
+    /// Along the solid's way over the window: sum of f_c . (X_c(new) - X_c(old))
     base::ReproducibleSum path;
 };
 
-/// This rank's part. \pre `walls` are at the end of the step that used the batch `before`; `after` is the new one.
+/// This rank's part. \pre `walls` are at the end of the window that began with the batch `before`; `after` is the new one.
 template<int D>
 ExchangeWorks exchange_works(const coupler::FacetLoads& loads, const Walls<D>& walls, const InterfacePlace& place,
                              const coupler::FacetBatch& before, const coupler::FacetBatch& after);

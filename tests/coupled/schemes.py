@@ -66,6 +66,9 @@ class Schemes(unittest.TestCase):
                           "coupling.coupling.solid_every=2")
             solid = json.loads((self.folder / name / "solid" / "summary.json").read_text(encoding="utf-8"))
             hashes.add((solid["state_hash"], solid["loads_hash"]))
+            works = RunFolder(self.folder / name).table("coupling/interface.csv")
+            gap = works["work_on_fluid"] + works["work_on_solid"]       # but for forces that change within a window
+            self.assertLess(abs(works["lag_work"] - gap).max(), 0.05 * abs(works["work_on_solid"]).max())
         self.assertEqual(len(hashes), 1)
 
 
