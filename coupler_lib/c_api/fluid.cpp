@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coupler_lib/c_api/handles.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 using namespace coupler;
@@ -41,49 +40,19 @@ InterfaceSettings settings_of(const rivage_participant& of, const InterfaceConfi
 
 } // namespace
 
-FluidReport from_c(const rivage_fluid_report& c)
-{
-    FluidReport report;
-    static_cast<FluidEnergies&>(report) = {c.kinetic,       c.potential, c.internal,
-                                           c.external_work, c.outflow,   c.dissipated};
-    std::copy(c.force, c.force + 3, report.force.begin());
-    std::copy(c.moment, c.moment + 3, report.moment.begin());
-    report.work_on_solid = c.work_on_solid;
-    report.path_work = c.path_work;
-    report.jump_work = c.jump_work;
-    report.wait = c.wait;
-    return report;
-}
-
-rivage_fluid_report to_c(const FluidReport& report)
-{
-    rivage_fluid_report c{};
-    c.kinetic = report.kinetic;
-    c.potential = report.potential;
-    c.internal = report.internal;
-    c.external_work = report.external_work;
-    c.outflow = report.outflow;
-    c.dissipated = report.dissipated;
-    std::copy(report.force.begin(), report.force.end(), c.force);
-    std::copy(report.moment.begin(), report.moment.end(), c.moment);
-    c.work_on_solid = report.work_on_solid;
-    c.path_work = report.path_work;
-    c.jump_work = report.jump_work;
-    c.wait = report.wait;
-    return c;
-}
-
 } // namespace coupler::c_api
 
 rivage_fluid::rivage_fluid(rivage_participant& of, const InterfaceConfig& interface, int dimension, double impedance,
                            double pressure_limit, const char* output_dir)
     : exchange(of.member, c_api::settings_of(of, interface, impedance, pressure_limit), dimension)
 {
-    batch.dimension = dimension;
     if (!output_dir || !of.member.comm().is_root()) return;
-    std::filesystem::create_directories(std::filesystem::path(output_dir) / "coupling");
-    record.emplace(interface_path(output_dir, interface.solid, of.config.interfaces.size() == 1), dimension);
-    energies.emplace(output_dir, dimension);
+    std::error_code error;
+    std::filesystem::create_directories(std::filesystem::path(output_dir) / "coupling", error);
+    base::require_input(!error, "cannot make the output folder '", output_dir, "': ", error.message());
+    const bool only_one = of.config.interfaces.size() == 1;
+    record.emplace(interface_path(output_dir, interface.solid, only_one), dimension);
+    if (only_one) energies.emplace(output_dir, dimension);
 }
 
 int rivage_fluid_open(rivage_participant* participant, const char* partner, int dimension, double impedance,
@@ -100,8 +69,8 @@ int rivage_fluid_send(rivage_fluid* fluid, const rivage_window* window, const do
                       const double* full_weight, const rivage_fluid_report* report)
 {
     return c_api::guarded([&] {
-        const std::size_t facets = fluid->batch.facet_ids.size();
-        const auto corners = 4 * facets * static_cast<std::size_t>(fluid->batch.dimension);
+        const std::size_t facets = fluid->batch->facet_ids.size();
+        const auto corners = 4 * facets * static_cast<std::size_t>(fluid->batch->dimension);
         FacetLoads loads{c_api::sums_of(corner_force, corners),
                          c_api::sums_of(weight, facets),
                          c_api::sums_of(weighted_pressure, facets),
@@ -110,7 +79,7 @@ int rivage_fluid_send(rivage_fluid* fluid, const rivage_window* window, const do
         fluid->window = {window->step, window->time, window->dt, window->last != 0, window->stop_requested != 0};
         fluid->report = c_api::from_c(*report);
         fluid->report.wait = fluid->exchange.wait_seconds();
-        fluid->exchange.send(fluid->window, c_api::box_of(low, high), loads, fluid->batch, fluid->report);
+        fluid->exchange.send(fluid->window, c_api::box_of(low, high), loads, *fluid->batch, fluid->report);
     });
 }
 
@@ -118,27 +87,28 @@ int rivage_fluid_receive(rivage_fluid* fluid, rivage_solid_report* report)
 {
     return c_api::guarded([&] {
         SolidReport solid;
-        fluid->batch = fluid->exchange.receive(solid);
+        fluid->batch = &fluid->exchange.receive(solid);
         *report = c_api::to_c(solid);
         if (!fluid->record || fluid->window.step < 0) return;
         fluid->record->add(fluid->window, fluid->report, solid);
         fluid->record->write();
+        if (!fluid->energies) return;
         fluid->energies->add(fluid->window.time, fluid->report, {solid});
         fluid->energies->write();
     });
 }
 
-int64_t rivage_fluid_nodes(const rivage_fluid* fluid) { return std::ssize(fluid->batch.node_ids); }
-int64_t rivage_fluid_facets(const rivage_fluid* fluid) { return std::ssize(fluid->batch.facet_ids); }
-const int64_t* rivage_fluid_node_ids(const rivage_fluid* fluid) { return fluid->batch.node_ids.data(); }
-const int64_t* rivage_fluid_facet_ids(const rivage_fluid* fluid) { return fluid->batch.facet_ids.data(); }
+int64_t rivage_fluid_nodes(const rivage_fluid* fluid) { return std::ssize(fluid->batch->node_ids); }
+int64_t rivage_fluid_facets(const rivage_fluid* fluid) { return std::ssize(fluid->batch->facet_ids); }
+const int64_t* rivage_fluid_node_ids(const rivage_fluid* fluid) { return fluid->batch->node_ids.data(); }
+const int64_t* rivage_fluid_facet_ids(const rivage_fluid* fluid) { return fluid->batch->facet_ids.data(); }
 const int32_t* rivage_fluid_facet_nodes(const rivage_fluid* fluid)
 {
-    return fluid->batch.facet_nodes.empty() ? nullptr : fluid->batch.facet_nodes.front().data();
+    return fluid->batch->facet_nodes.empty() ? nullptr : fluid->batch->facet_nodes.front().data();
 }
-const double* rivage_fluid_position(const rivage_fluid* fluid) { return fluid->batch.motion.position.data(); }
-const double* rivage_fluid_velocity(const rivage_fluid* fluid) { return fluid->batch.motion.velocity.data(); }
-const double* rivage_fluid_acceleration(const rivage_fluid* fluid) { return fluid->batch.motion.acceleration.data(); }
+const double* rivage_fluid_position(const rivage_fluid* fluid) { return fluid->batch->motion.position.data(); }
+const double* rivage_fluid_velocity(const rivage_fluid* fluid) { return fluid->batch->motion.velocity.data(); }
+const double* rivage_fluid_acceleration(const rivage_fluid* fluid) { return fluid->batch->motion.acceleration.data(); }
 int rivage_fluid_stop_agreed(const rivage_fluid* fluid) { return fluid->exchange.stop_agreed(); }
 
 int rivage_fluid_close(rivage_fluid* fluid)

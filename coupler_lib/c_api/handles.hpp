@@ -39,11 +39,12 @@ struct rivage_fluid {
                  double pressure_limit, const char* output_dir);
 
     coupler::FluidInterface exchange;
-    coupler::FacetBatch batch;
+    const coupler::FacetBatch nothing;
+    const coupler::FacetBatch* batch = &nothing; ///< of the last receive
     coupler::Window window;
     coupler::FluidReport report;
     std::optional<coupler::InterfaceRecord> record; ///< on rank 0, where there is an output folder
-    std::optional<coupler::EnergyRecord> energies;
+    std::optional<coupler::EnergyRecord> energies;  ///< where it is the only interface too
 };
 
 namespace coupler::c_api {

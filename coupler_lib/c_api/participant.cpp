@@ -3,8 +3,6 @@
 #include "coupler_lib/c_api/handles.hpp"
 #include "coupler_lib/coupling/mpi_session.hpp"
 
-#include <algorithm>
-
 namespace coupler::c_api {
 namespace {
 

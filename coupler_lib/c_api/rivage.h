@@ -26,9 +26,9 @@ typedef struct rivage_fluid rivage_fluid;             /* a fluid's end of one in
 /* A step of the fluid: packet `step` is exchanged at `time`, a step of `dt` follows. -1: the greeting. */
 typedef struct {
     int64_t step;
-    double time, dt;         /* [s] */
-    int32_t last;            /* the solid answers with its motion at `time`, then both leave */
-    int32_t stop_requested;  /* leave early, as somebody asked */
+    double time, dt;        /* [s] */
+    int32_t last;           /* the solid answers with its motion at `time`, then both leave */
+    int32_t stop_requested; /* leave early, as somebody asked */
 } rivage_window;
 
 /* Totals of the fluid [J, N, N m]; works and losses since the start; force and moment act on the solid. */
@@ -40,9 +40,9 @@ typedef struct {
 
 /* Totals of the solid. */
 typedef struct {
-    double force[3], moment[3];  /* of the load as applied in the step that ended now */
-    double work;                 /* of the fluid's load since the start */
-    double displacement_max;     /* [m] */
+    double force[3], moment[3]; /* of the load as applied in the step that ended now */
+    double work;                /* of the fluid's load since the start */
+    double displacement_max;    /* [m] */
     double kinetic, strain, potential, external_work, dissipated, wait;
 } rivage_solid_report;
 
@@ -57,8 +57,8 @@ int rivage_mpi_end(void);
 /* Joins the run. Collective over `world`, a communicator as MPI_Comm_c2f gives it; rivage_world() is MPI_COMM_WORLD's.
  * coupling_file: the shared coupling.toml. overrides: "coupling.time.end=0.1", ..., the same as the partners'. A process may
  * be in several runs, each over a communicator of its own. */
-int rivage_join(int world, const char* role, const char* coupling_file, const char* const* overrides, int override_count,
-                rivage_participant** participant);
+int rivage_join(int world, const char* role, const char* coupling_file, const char* const* overrides,
+                int override_count, rivage_participant** participant);
 int rivage_world(void);
 /* The end in order: says farewell, waits for the partners', frees the participant (its interfaces must be closed). */
 int rivage_leave(rivage_participant* participant);
@@ -68,11 +68,11 @@ void rivage_fail(rivage_participant* participant, int code, const char* message)
 int rivage_comm(const rivage_participant* participant); /* of the ranks of this role, for MPI_Comm_f2c */
 int rivage_rank(const rivage_participant* participant);
 int rivage_size(const rivage_participant* participant);
-double rivage_end_time(const rivage_participant* participant);         /* [s], coupling.time.end */
-double rivage_table_interval(const rivage_participant* participant);   /* [s], coupling.output.table_interval */
-int rivage_is_serial(const rivage_participant* participant);           /* coupling.scheme = "serial": step after the fluid */
-double rivage_impedance_share(const rivage_participant* participant);  /* of rho c that the solid answers to within a step */
-int rivage_solid_every(const rivage_participant* participant);         /* steps of the fluid from one exchange to the next */
+double rivage_end_time(const rivage_participant* participant);       /* [s], coupling.time.end */
+double rivage_table_interval(const rivage_participant* participant); /* [s], coupling.output.table_interval */
+int rivage_is_serial(const rivage_participant* participant); /* coupling.scheme = "serial": step after the fluid */
+double rivage_impedance_share(const rivage_participant* participant); /* of rho c answered to within a step */
+int rivage_solid_every(const rivage_participant* participant); /* steps of the fluid from one exchange to the next */
 int rivage_stop_requested(const rivage_participant* participant);
 void rivage_request_stop(rivage_participant* participant);
 
@@ -98,7 +98,7 @@ int rivage_solid_send(rivage_solid* solid, const double* position, const double*
 int rivage_solid_close(rivage_solid* solid);
 
 /* The fluid. partner: role of the solid, or NULL for the only one. impedance: rho c. pressure_limit: a load beyond it ends the
- * run. output_dir: rank 0 writes coupling/interface.csv and energy_total.csv there; NULL: nothing is written. */
+ * run. output_dir: rank 0 writes coupling/interface.csv there, and energy_total.csv where the fluid has one solid; NULL: nothing. */
 int rivage_fluid_open(rivage_participant* participant, const char* partner, int dimension, double impedance,
                       double pressure_limit, const char* output_dir, rivage_fluid** fluid);
 /* Loads on the facets of the last receive: corner_force [facets * 4 * dimension], or NULL; weight, weighted_pressure and

@@ -24,38 +24,6 @@ const double* data_or_null(const std::vector<double>& values) { return values.em
 
 } // namespace
 
-SolidReport from_c(const rivage_solid_report& c)
-{
-    SolidReport report;
-    std::copy(c.force, c.force + 3, report.force.begin());
-    std::copy(c.moment, c.moment + 3, report.moment.begin());
-    report.work = c.work;
-    report.displacement_max = c.displacement_max;
-    report.kinetic = c.kinetic;
-    report.strain = c.strain;
-    report.potential = c.potential;
-    report.external_work = c.external_work;
-    report.dissipated = c.dissipated;
-    report.wait = c.wait;
-    return report;
-}
-
-rivage_solid_report to_c(const SolidReport& report)
-{
-    rivage_solid_report c{};
-    std::copy(report.force.begin(), report.force.end(), c.force);
-    std::copy(report.moment.begin(), report.moment.end(), c.moment);
-    c.work = report.work;
-    c.displacement_max = report.displacement_max;
-    c.kinetic = report.kinetic;
-    c.strain = report.strain;
-    c.potential = report.potential;
-    c.external_work = report.external_work;
-    c.dissipated = report.dissipated;
-    c.wait = report.wait;
-    return c;
-}
-
 } // namespace coupler::c_api
 
 rivage_solid::rivage_solid(rivage_participant& of, WetSurface surface)

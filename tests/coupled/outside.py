@@ -100,6 +100,10 @@ class Outside(unittest.TestCase):
                      ["cmake", "--build", str(project / "b")]):
             subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
 
+    def test_the_page_shows_the_example(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
+        self.assertIn(text[text.index("import sys"):], (ROOT / "docs" / "couple_your_own_solver.md").read_text(encoding="utf-8"))
+
     def test_the_python_example(self) -> None:
         self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), *SETTINGS]))
 

@@ -31,7 +31,6 @@ def start_mpi(role: str, timeout: float):
     if "mpi4py.MPI" not in sys.modules:
         import mpi4py
         mpi4py.rc.initialize = False
-        check(c.LIBRARY.rivage_mpi_start(role.encode(), timeout))
     from mpi4py import MPI
     if not MPI.Is_initialized():
         check(c.LIBRARY.rivage_mpi_start(role.encode(), timeout))
