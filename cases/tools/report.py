@@ -61,7 +61,7 @@ def write_report(folder: Path, case: Path) -> Path:
         run_figures(run, summary, energies),
         *case_pictures(run, case),
         section("Energies", picture(image_of(energy_figure(run, energies), "energies over time"), ENERGY_NOTE)),
-        *(section(f"Interface {name}", picture(image_of(interface_figure(table), "interface force and work"), INTERFACE_NOTE))
+        *(section(f"Interface {name}".rstrip(), picture(image_of(interface_figure(table), "interface force and work"), INTERFACE_NOTE))
           for name, table in run.interfaces().items()),
         section("Expected and found", expectation_table(check(run, case))),
         section("Time", *(picture(image_of(wait_figure(name, table), "waits"), summary.get("wait_balance", ""))

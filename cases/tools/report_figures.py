@@ -27,9 +27,10 @@ def draw_drift(axes, run: RunFolder, energies: EnergySum) -> None:
     parts = []
     for side in run.sides():
         table = run.table(f"{side}/energy.csv")
+        of = "" if side == "fluid" or len(run.solids()) == 1 else f"{side} "
         for name, label in DISSIPATIONS["fluid" if side == "fluid" else "solid"]:
             if table is not None and name in table and np.any(table[name]):
-                parts.append((f"{label}: {table[name][-1]:.3g}", np.interp(energies.t, table["t"], table[name])))
+                parts.append((f"{of}{label}: {table[name][-1]:.3g}", np.interp(energies.t, table["t"], table[name])))
     if parts:
         every = max(1, len(energies.t) // 700)
         stack = [-values[::every] for _, values in parts]

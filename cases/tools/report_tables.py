@@ -9,6 +9,7 @@ from report_figures import worst_mismatch
 from report_page import key_figures, table
 from run_folder import RunFolder
 
+
 def short(value, digits: int = 4) -> str:
     """A number as a reader wants it: thousands apart, few digits."""
     if not isinstance(value, (int, float)):
@@ -39,7 +40,7 @@ def run_figures(run: RunFolder, summary: dict, energies: EnergySum | None) -> st
     if energies is not None:
         pairs.append((f"energy drift at the end [{energies.unit}]", short(float(energies.drift[-1]), 3)))
     for name, interface in run.interfaces().items():
-        pairs.append((f"interface {name} work mismatch, largest over peak", f"{100 * worst_mismatch(interface):.3g} %"))
+        pairs.append((f"interface work mismatch, largest over peak {name}".rstrip(), f"{100 * worst_mismatch(interface):.3g} %"))
     for side in run.sides():
         if "state_hash" in summary.get(side, {}):
             pairs.append((f"{side}: state hash", str(summary[side]["state_hash"])))

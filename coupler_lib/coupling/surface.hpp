@@ -68,9 +68,9 @@ struct FluidReport : FluidEnergies {
     std::array<double, 3> force{};  ///< of the load that travels with this report [N]
     std::array<double, 3> moment{}; ///< of the same, about the origin [N m]
     double work_on_solid = 0;       ///< Runge-Kutta-weighted sum of F.v_wall dt, without the jumps [J]
-    double path_work = 0;           ///< of each load along the solid's own way over the step that it was measured in [J]
-    double jump_work = 0;           ///< load times the wall's jump when a new motion corrects it [J]
-    double wait = 0;                ///< seconds waited for the solid so far, largest over the ranks [s]
+    double path_work = 0; ///< of each load along the solid's own way over the step that it was measured in [J]
+    double jump_work = 0; ///< load times the wall's jump when a new motion corrects it [J]
+    double wait = 0;      ///< seconds waited for the solid so far, largest over the ranks [s]
 };
 
 /// What the solid tells about itself in every packet: totals over its ranks, the same on each of them.

@@ -22,19 +22,12 @@ std::string describe_keys(const void* context)
                        shared.help());
 }
 
-/// Whether a program plays a role without being told: sph_solver and fake_fluid the fluid, the others the solid.
-bool plays_by_default(const std::string& program, const std::string& role)
-{
-    return role == (program == "sph_solver" || program == "fake_fluid" ? "fluid" : "solid");
-}
-
 std::vector<LaunchSegment> launch_segments(const RunFiles& files)
 {
     std::vector<LaunchSegment> segments;
     if (!files.coupling) return segments;
     for (const auto& [role, participant] : files.coupling->participants)
-        segments.push_back({role, participant.program + " " + files.coupling_file +
-                                      (plays_by_default(participant.program, role) ? "" : " --as " + role)});
+        segments.push_back({role, participant.program + " " + files.coupling_file + " --as " + role});
     return segments;
 }
 
