@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/numerics/pack.hpp"
+#include "sph_solver/numerics/pack_columns.hpp"
 #include "sph_solver/numerics/vector.hpp"
 
 #include <algorithm>
@@ -11,22 +11,27 @@
 #include <span>
 #include <vector>
 
-#if defined(__AVX512F__) && defined(__AVX512VL__)
-#include <immintrin.h>
-#endif
-
 /// \file
 /// Which of many points are close to one? Pack are compared at a time; the indices of those that pass are packed to
-/// the left in a register where the processor can (AVX-512), else one by one. Nothing but speed depends on it.
+/// the left in a register where the processor can (AVX-512, AVX2), else one by one. Nothing but speed depends on it.
 namespace sph {
 
 /// What a selection may write beyond the last index that it keeps.
 inline constexpr std::size_t selection_overhang = pack_size;
 
-using PackIndices = int __attribute__((vector_size(pack_size * sizeof(int))));
+using PackIndices = int __attribute__((vector_size(pack_lanes * sizeof(int))));
+
+/// Row m holds the places of the bits of m, ascending: what goes where when four are packed to the left.
+inline constexpr auto left_packed = [] {
+    std::array<std::array<int, 4>, 16> table{};
+    for (std::size_t mask = 0; mask < 16; ++mask)
+        for (int bit = 0, place = 0; bit < 4; ++bit)
+            if ((mask >> bit & 1) != 0) table[mask][static_cast<std::size_t>(place++)] = bit;
+    return table;
+}();
 
 /// Writes those of the first `count` indices whose number is below the limit and which are not `excluded`. Returns the
-/// end of what it has kept; always writes eight.
+/// end of what it has kept; always writes a pack of them.
 [[gnu::always_inline]] inline int* keep_below(Pack number, double limit, PackIndices indices, int excluded, int count,
                                               int* out)
 {
@@ -37,8 +42,18 @@ using PackIndices = int __attribute__((vector_size(pack_size * sizeof(int))));
     const __mmask8 kept = _mm512_mask_cmp_pd_mask(others, number, _mm512_set1_pd(limit), _CMP_LT_OQ);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi32(kept, lanes));
     return out + __builtin_popcount(kept);
+#elif defined(__AVX2__)
+    const auto lanes = reinterpret_cast<__m128i>(indices);
+    const int first = count >= 4 ? 0xf : (1 << count) - 1;
+    const int own = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(lanes, _mm_set1_epi32(excluded))));
+    const int below = _mm256_movemask_pd(_mm256_cmp_pd(number, _mm256_set1_pd(limit), _CMP_LT_OQ));
+    const int kept = below & first & ~own;
+    __m128i places;
+    std::memcpy(&places, left_packed[static_cast<std::size_t>(kept)].data(), sizeof places);
+    _mm_storeu_ps(reinterpret_cast<float*>(out), _mm_permutevar_ps(_mm_castsi128_ps(lanes), places));
+    return out + __builtin_popcount(static_cast<unsigned>(kept));
 #else
-    for (int lane = 0; lane < std::min(count, 8); ++lane) {
+    for (int lane = 0; lane < std::min(count, static_cast<int>(pack_lanes)); ++lane) {
         *out = indices[lane];
         out += static_cast<int>(number[lane] < limit) & static_cast<int>(indices[lane] != excluded);
     }
@@ -66,18 +81,23 @@ public:
             column[d] = columns_[d].data();
             x_i[d] = column[d][i];
         }
-        for (int j = begin; j < end; j += pack_size) {
+        for (int j = begin; j < end; j += static_cast<int>(pack_lanes)) {
             Pack square{};
             for (std::size_t d = 0; d < D; ++d) {
                 const Pack x = load_pack(column[d] + j) - x_i[d];
                 square = d == 0 ? x * x : square + x * x;
             }
-            out = keep_below(square, limit, PackIndices{0, 1, 2, 3, 4, 5, 6, 7} + j, i, end - j, out);
+            out = keep_below(square, limit, counted + j, i, end - j, out);
         }
         return out;
     }
 
 private:
+#if defined(__AVX512F__)
+    static constexpr PackIndices counted = {0, 1, 2, 3, 4, 5, 6, 7};
+#else
+    static constexpr PackIndices counted = {0, 1, 2, 3};
+#endif
     std::array<std::vector<double>, D> columns_;
 };
 
@@ -100,10 +120,10 @@ public:
     int* select(int i, double limit, std::span<const int> listed, int* out) const
     {
         std::size_t n = 0;
-        for (; n + pack_size <= listed.size(); n += pack_size) {
+        for (; n + pack_lanes <= listed.size(); n += pack_lanes) {
             PackIndices indices;
             std::memcpy(&indices, listed.data() + n, sizeof indices);
-            out = keep_below(squares(i, listed.data() + n), limit, indices, i, 8, out);
+            out = keep_below(squares(i, listed.data() + n), limit, indices, i, static_cast<int>(pack_lanes), out);
         }
         for (; n < listed.size(); ++n) {
             *out = listed[n];
@@ -117,7 +137,7 @@ private:
         double x[D == 2 ? 2 : 4] = {}; ///< zeros behind the coordinates
     };
 
-    /// |x_j - x_i|^2 of eight points.
+    /// |x_j - x_i|^2 of a pack of points.
     [[gnu::always_inline]] inline Pack squares(int i, const int* j) const;
     [[nodiscard]] double square(int i, int j) const
     {
@@ -132,41 +152,45 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Four points in a register (x y x y ...), the even and the odd ones; their squares are then sorted in columns.
+/// Two or four points in a register (x y x y ...), the even and the odd ones; their squares are then sorted in columns.
 template<> inline Pack PointRows<2>::squares(int i, const int* j) const
 {
-    using Two = double __attribute__((vector_size(16)));
-    const auto row = [this](int k) {
-        Two x;
-        std::memcpy(&x, rows_[static_cast<std::size_t>(k)].x, sizeof x);
-        return x;
+    const auto row = [this](int k) { return load_two(rows_[static_cast<std::size_t>(k)].x); };
+    const auto sorted = [](Pack even, Pack odd) {
+        return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
     };
-    const auto four = [](Two a, Two b, Two c, Two d) {
-        return joined(__builtin_shufflevector(a, b, 0, 1, 2, 3), __builtin_shufflevector(c, d, 0, 1, 2, 3));
+    const FourNumbers from = joined(row(i), row(i));
+#if defined(__AVX512F__)
+    const auto four = [&](int a, int b, int c, int d) {
+        return joined(joined(row(a), row(b)) - from, joined(row(c), row(d)) - from);
     };
-    const Two x_i = row(i);
-    const Pack from = four(x_i, x_i, x_i, x_i);
-    const Pack even = four(row(j[0]), row(j[2]), row(j[4]), row(j[6])) - from;
-    const Pack odd = four(row(j[1]), row(j[3]), row(j[5]), row(j[7])) - from;
-    return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
+    return sorted(four(j[0], j[2], j[4], j[6]), four(j[1], j[3], j[5], j[7]));
+#else
+    return sorted(joined(row(j[0]), row(j[2])) - from, joined(row(j[1]), row(j[3])) - from);
+#endif
 }
 
-/// Two points in a register (x y z 0 x y z 0), four times; x + y and z of a half of the points meet in one register.
+/// One or two points in a register (x y z 0 x y z 0); x + y and z of half of the points meet in one register.
 template<> inline Pack PointRows<3>::squares(int i, const int* j) const
 {
     const auto row = [this](int k) {
-        HalfPack x;
+        FourNumbers x;
         std::memcpy(&x, rows_[static_cast<std::size_t>(k)].x, sizeof x);
         return x;
     };
-    const Pack from = joined(row(i), row(i));
-    const auto half = [&](int a, int b, int c, int d) {
-        const Pack even = joined(row(a), row(c)) - from;
-        const Pack odd = joined(row(b), row(d)) - from;
+    const auto half = [](Pack even, Pack odd) {
         return even_lanes(even * even, odd * odd) + odd_lanes(even * even, odd * odd);
     };
-    const Pack first = half(j[0], j[1], j[2], j[3]);
-    const Pack second = half(j[4], j[5], j[6], j[7]);
+#if defined(__AVX512F__)
+    const Pack from = joined(row(i), row(i));
+    const auto two = [&](int a, int b) { return joined(row(j[a]), row(j[b])) - from; };
+    const Pack first = half(two(0, 2), two(1, 3));
+    const Pack second = half(two(4, 6), two(5, 7));
+#else
+    const Pack from = row(i);
+    const Pack first = half(row(j[0]) - from, row(j[1]) - from);
+    const Pack second = half(row(j[2]) - from, row(j[3]) - from);
+#endif
     return even_pieces(first, second) + odd_pieces(first, second);
 }
 

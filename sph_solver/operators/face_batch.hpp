@@ -9,23 +9,27 @@
 
 namespace sph {
 
+inline Pack as_pack(double a) { return everywhere(a); }
+inline Pack as_pack(Pack a) { return a; }
+
 /// Sum of a[k] x[k]: a gradient's prediction along the pairs. `Row` is a row of numbers or of packs.
 template<std::size_t D, class Row>
 [[gnu::always_inline]] inline Pack along(const Row* gradient, const std::array<Pack, D>& x)
 {
     Pack sum = gradient[0] * x[0];
-    for (std::size_t b = 1; b < D; ++b) sum = multiply_add(gradient[b] + Pack{}, x[b], sum);
+    for (std::size_t b = 1; b < D; ++b) sum = multiply_add(as_pack(gradient[b]), x[b], sum);
     return sum;
 }
 
-/// The same sums as FluxSums, eight neighbours side by side.
+/// The same sums as FluxSums, neighbours side by side.
 template<int D> struct FluxPacks {
     static constexpr std::size_t mass = 0, by_mass = 1, by_pressure = 1 + D, dilation = 1 + 2 * D, swept = 2 + 2 * D;
-    std::array<Pack, 2 * D + 3> sums{};
+    static constexpr std::size_t count = 3 + 2 * D;
+    std::array<Pack, count> sums{};
 
-    [[gnu::always_inline]] inline void write(FluxSums<D>& result) const
+    static void write(FluxSums<D>& result, const PartSums<count>& parts)
     {
-        const auto total = sum_lanes_of(sums);
+        const auto total = sum_lanes_of(parts);
         result.mass = total[mass];
         for (std::size_t a = 0; a < D; ++a) {
             result.by_mass[static_cast<int>(a)] = total[by_mass + a];
@@ -36,22 +40,26 @@ template<int D> struct FluxPacks {
     }
 };
 
-/// The faces of a batch of particles towards their neighbours, eight in a pack. The work is split in three loops over
+/// The faces of a batch of particles towards their neighbours, in packs. The work is split in three loops over
 /// the packs: each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs
 /// where the loops are short in code and long in turns.
 template<int D, class AnyLimiter, class Motion, class Area> class FaceBatch {
 public:
     FaceBatch(const PairRecords<D>& records, std::size_t longest_row, const FluidModel<D>& model, AnyLimiter limiter,
               Motion motion)
-        : records_(records), model_(model), limiter_(limiter), motion_(motion), faces_(filled + longest_row / pack_size)
+        : records_(records),
+          model_(model),
+          limiter_(limiter),
+          motion_(motion),
+          faces_(filled + longest_row / pack_lanes)
     {}
 
     /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
     void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums)
     {
-        for (std::size_t n = 0; n < neighbours.size(); n += pack_size)
+        for (std::size_t n = 0; n < neighbours.size(); n += pack_lanes)
             reconstruct_pack(faces_[size_++], records_.state(i), records_.slope(i), i, &neighbours[n]);
-        rows_[row_count_++] = {&sums, size_};
+        rows_[row_count_++] = {&sums, neighbours.size()};
     }
 
     bool full() const { return size_ >= filled || row_count_ == rows_.size(); }
@@ -62,9 +70,13 @@ public:
         std::visit([this](auto riemann) { solve_riemann_problems(riemann); }, model_.riemann);
         std::size_t n = 0;
         for (std::size_t row = 0; row < row_count_; ++row) {
-            FluxPacks<D> packs;
-            for (; n < rows_[row].end; ++n) add(packs, faces_[n]);
-            packs.write(*rows_[row].sums);
+            PartSums<FluxPacks<D>::count> parts;
+            std::array<FluxPacks<D>, pack_parts> packs;
+            for_each_part(
+                rows_[row].length, [&](auto part, std::size_t)
+                                       __attribute__((always_inline)) { add(packs[part], faces_[n++]); });
+            for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = packs[part].sums;
+            FluxPacks<D>::write(*rows_[row].sums, parts);
         }
         size_ = 0;
         row_count_ = 0;
@@ -75,10 +87,10 @@ private:
 
     struct Row {
         FluxSums<D>* sums = nullptr;
-        std::size_t end = 0; // one past its last pack
+        std::size_t length = 0; // entries, whole packs
     };
 
-    /// Eight faces of one particle, as each loop leaves them to the next.
+    /// Faces of one particle, a pack of them, as each loop leaves them to the next.
     struct Faces {
         FaceFrame<D, Pack> frame;
         FaceStates<Pack> sides;
@@ -109,7 +121,7 @@ private:
         const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);
         pair.inverse_distance = 1.0 / r;
         faces.strength = (state_i[2 * D + 1] * state[2 * D + 1]) * (2.0 * model_.kernel.slope(r));
-        const RatioView<Pack> q{Pack{} + state_i[2 * D], state[2 * D], along(slope_i, pair.x),
+        const RatioView<Pack> q{everywhere(state_i[2 * D]), state[2 * D], along(slope_i, pair.x),
                                 along(slope.data(), pair.x)};
         faces.sides = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter_);
         if constexpr (Motion::shifts) faces.shift = face_shift(slope_i, slope, pair);

@@ -6,16 +6,16 @@
 namespace sph {
 namespace {
 
-/// The same sums as GradientSums, eight neighbours side by side: the upper triangle of M, then G[v] row by row, then
-/// G[q].
+/// The same sums as GradientSums, neighbours side by side: the upper triangle of M, then G[v] row by row, then G[q].
 template<int D> struct PackedSums {
     static constexpr std::size_t velocity = D * (D + 1) / 2, ratio = velocity + D * D;
-    std::array<Pack, ratio + D> sums{};
+    static constexpr std::size_t count = ratio + D;
+    std::array<Pack, count> sums{};
 
     /// Place of M(a, b), a <= b, in its upper triangle row by row.
     static constexpr std::size_t upper_triangle(std::size_t a, std::size_t b) { return a * D - a * (a + 1) / 2 + b; }
 
-    /// Adds eight neighbours, given as columns (x, v, q, w), to the sums of particle i.
+    /// Adds the neighbours of a pack, given as columns (x, v, q, w), to the sums of particle i.
     [[gnu::always_inline]] inline void add(const std::array<Pack, 8>& neighbour, const double* state,
                                            const CubicSpline<D>& kernel)
     {
@@ -37,9 +37,9 @@ template<int D> struct PackedSums {
         });
     }
 
-    [[gnu::always_inline]] inline void write(GradientSums<D>& result, double rho0) const
+    static void write(GradientSums<D>& result, const PartSums<count>& parts, double rho0)
     {
-        const auto total = sum_lanes_of(sums);
+        const auto total = sum_lanes_of(parts);
         std::size_t ab = 0, ab_v = velocity;
         for (int a = 0; a < D; ++a) {
             for (int b = a; b < D; ++b, ++ab) result.moment(a, b) = result.moment(b, a) = total[ab];
@@ -62,11 +62,15 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
     sums.resize(rows.all());
     rows.for_each([&](std::size_t k, int i) {
         const double* state = records.state(i);
-        PackedSums<D> packed;
         const auto row = neighbours.packs_of(k);
-        for (std::size_t n = 0; n < row.size(); n += pack_size)
-            packed.add(load_columns<8>(state_of, &row[n]), state, kernel);
-        packed.write(sums[k], model.eos.rho0);
+        std::array<PackedSums<D>, pack_parts> packed;
+        for_each_part(
+            row.size(), [&](auto part, std::size_t n) __attribute__((always_inline)) {
+                packed[part].add(load_columns<8>(state_of, &row[n]), state, kernel);
+            });
+        PartSums<PackedSums<D>::count> parts;
+        for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = packed[part].sums;
+        PackedSums<D>::write(sums[k], parts, model.eos.rho0);
     });
 }
 

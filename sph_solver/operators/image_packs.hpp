@@ -38,7 +38,7 @@ template<int D> using PackVector = std::array<Pack, D>;
 template<int D> [[gnu::always_inline]] inline Pack along_normal(const PackVector<D>& a, const std::array<double, D>& n)
 {
     Pack sum = a[0] * n[0];
-    for (std::size_t k = 1; k < D; ++k) sum = multiply_add(a[k], Pack{} + n[k], sum);
+    for (std::size_t k = 1; k < D; ++k) sum = multiply_add(a[k], everywhere(n[k]), sum);
     return sum;
 }
 
@@ -46,7 +46,7 @@ template<int D> [[gnu::always_inline]] inline Pack along_normal(const PackVector
 template<int D>
 [[gnu::always_inline]] inline void add_along_normal(PackVector<D>& a, Pack f, const std::array<double, D>& n)
 {
-    for (std::size_t k = 0; k < D; ++k) a[k] = multiply_add(f, Pack{} + n[k], a[k]);
+    for (std::size_t k = 0; k < D; ++k) a[k] = multiply_add(f, everywhere(n[k]), a[k]);
 }
 
 /// Images side by side, their values.
@@ -84,7 +84,7 @@ public:
         for (std::size_t k = 0; k < order_; ++k) {
             const MirrorStep<D>& step = steps_[k];
             Pack s = along_normal<D>(image.x, step.normal) - step.offset;
-            if (has_own && k == 0) set_first(s, maximum(s[0], least_height_));
+            if (has_own && k == 0) s[0] = maximum(s[0], least_height_);
             add_along_normal<D>(image.x, -2.0 * s, step.normal);
             image.slope[k] = image.ratio * inverse_c2 * step.pull;
             image.ratio = image.ratio - 2.0 * s * image.slope[k];

@@ -28,10 +28,11 @@ struct ReachedNeighbours {
         return {indices.data() + begins[k], ends[k] - begins[k]};
     }
 
-    /// The same row in whole packs.
+    /// The same row in whole registers: an eight may lack its second part, which would add zero.
     [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
     {
-        return {indices.data() + begins[k], whole_packs(ends[k] - begins[k])};
+        const std::size_t packs = (ends[k] - begins[k] + pack_lanes - 1) / pack_lanes;
+        return {indices.data() + begins[k], packs * pack_lanes};
     }
 
     /// The next multiple of pack_size.

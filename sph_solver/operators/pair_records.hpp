@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sph_solver/numerics/fluid_model.hpp"
-#include "sph_solver/numerics/pack.hpp"
+#include "sph_solver/numerics/pack_columns.hpp"
 #include "sph_solver/state/particles.hpp"
 
 #include <array>
@@ -54,22 +54,5 @@ private:
     std::vector<Slope> slopes_;
     std::vector<Area> areas_; ///< empty where areas are raw
 };
-
-/// Rows of eight particles, loaded and turned into columns: result[c] holds component c of the particles index[0..7].
-template<std::size_t Size, class Row>
-[[gnu::always_inline]] inline std::array<Pack, Size> load_columns(Row row, const int* index)
-{
-    static_assert(Size % pack_size == 0);
-    std::array<const double*, pack_size> rows;
-    for (std::size_t k = 0; k < pack_size; ++k) rows[k] = row(index[k]);
-    std::array<Pack, Size> columns;
-    for (std::size_t c = 0; c < Size; c += pack_size) {
-        std::array<Pack, pack_size> part;
-        for (std::size_t k = 0; k < pack_size; ++k) part[k] = load_pack(rows[k] + c);
-        part = transpose(part);
-        for (std::size_t k = 0; k < pack_size; ++k) columns[c + k] = part[k];
-    }
-    return columns;
-}
 
 } // namespace sph

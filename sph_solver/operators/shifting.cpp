@@ -14,16 +14,18 @@ template<int D>
 Vec<D> concentration_gradient(const double* state, std::span<const int> row, const PairRecords<D>& records,
                               const CubicSpline<D>& kernel)
 {
-    std::array<Pack, D> sum{}, x;
-    for (std::size_t n = 0; n < row.size(); n += pack_size) {
+    PartSums<D> sum{};
+    for_each_part(row.size(), [&](auto part, std::size_t n) {
+        std::array<Pack, D> x;
         const auto other = load_columns<8>([&](int j) { return records.state(j); }, &row[n]);
         for (std::size_t a = 0; a < D; ++a) x[a] = other[a] - state[a];
         const Pack r = square_root(dot(x, x) + 1e-300);
         const Pack weight = other[2 * D + 1] * (kernel.slope(r) / r);
-        for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(weight, x[a], sum[a]);
-    }
+        for (std::size_t a = 0; a < D; ++a) sum[part][a] = multiply_add(weight, x[a], sum[part][a]);
+    });
+    const auto total = sum_lanes_of(sum);
     Vec<D> gradient;
-    for (int a = 0; a < D; ++a) gradient[a] = sum_lanes(sum[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < D; ++a) gradient[a] = total[static_cast<std::size_t>(a)];
     return gradient;
 }
 

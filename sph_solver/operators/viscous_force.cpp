@@ -7,7 +7,7 @@
 namespace sph {
 namespace {
 
-/// Adds w_j (|W'|/r) (v_j - v_i) of eight neighbours.
+/// Adds w_j (|W'|/r) (v_j - v_i) of a pack of neighbours.
 template<int D>
 [[gnu::always_inline]] inline void add_pull(PackVector<D>& sum, const PackVector<D>& x,
                                             const PackVector<D>& velocity_jump, Pack volume,
@@ -18,10 +18,11 @@ template<int D>
     for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pull, velocity_jump[a], sum[a]);
 }
 
-template<int D> Vec<D> total(const PackVector<D>& sum, double factor)
+template<int D> Vec<D> total(const PartSums<D>& parts, double factor)
 {
+    const auto sum = sum_lanes_of(parts);
     Vec<D> result;
-    for (int a = 0; a < D; ++a) result[a] = factor * sum_lanes(sum[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < D; ++a) result[a] = factor * sum[static_cast<std::size_t>(a)];
     return result;
 }
 
@@ -34,15 +35,16 @@ void ViscousForce<D>::add(Rates<D>& rates, std::vector<Vec<D>>& sums, const Pair
     rows.for_each([&](std::size_t k, int i) {
         const double* state = records.state(i);
         const auto row = neighbours.packs_of(k);
-        PackVector<D> sum{}, x, jump;
-        for (std::size_t n = 0; n < row.size(); n += pack_size) {
+        PartSums<D> sum{};
+        for_each_part(row.size(), [&](auto part, std::size_t n) {
+            PackVector<D> x, jump;
             const auto other = load_columns<8>([&](int j) { return records.state(j); }, &row[n]);
             for (std::size_t a = 0; a < D; ++a) {
                 x[a] = other[a] - state[a];
                 jump[a] = other[D + a] - state[D + a];
             }
-            add_pull<D>(sum, x, jump, other[2 * D + 1], model_.kernel);
-        }
+            add_pull<D>(sum[part], x, jump, other[2 * D + 1], model_.kernel);
+        });
         const Vec<D> force = total<D>(sum, factor_ * PairRecords<D>::volume(state));
         sums[k] += force;
         rates.momentum[static_cast<std::size_t>(i)] += force;
@@ -57,16 +59,18 @@ void ViscousForce<D>::add_at_walls(WallForces<D>& forces, const WallImages<D>& i
     for (const ImageGroup& group : images.groups()) {
         const double* state = records.state(contacts[group.contact].particle);
         const MirrorPath<D> path(group, planes, walls.settings(), model_.eos.c0, false);
-        PackVector<D> sum{}, x, jump;
-        for (std::size_t n = group.begin; n < group.end; n += pack_size) {
-            const auto source = load_columns<8>([&](int j) { return records.state(j); }, images.sources() + n);
-            const ImagePack<D> image = path.values(source, group.own_first && n == group.begin);
+        PartSums<D> sum{};
+        for_each_part(group.end - group.begin, [&](auto part, std::size_t n) {
+            PackVector<D> x, jump;
+            const std::size_t at = group.begin + n;
+            const auto source = load_columns<8>([&](int j) { return records.state(j); }, images.sources() + at);
+            const ImagePack<D> image = path.values(source, group.own_first && n == 0);
             for (std::size_t a = 0; a < D; ++a) {
                 x[a] = image.x[a] - state[a];
                 jump[a] = image.velocity[a] - state[D + a];
             }
-            add_pull<D>(sum, x, jump, load_pack(images.weights() + n) * source[2 * D + 1], model_.kernel);
-        }
+            add_pull<D>(sum[part], x, jump, load_pack(images.weights() + at) * source[2 * D + 1], model_.kernel);
+        });
         const Vec<D> force = total<D>(sum, factor_ * PairRecords<D>::volume(state));
         forces.on_particle[group.contact] += force;
         share_out<D>(-force, group, planes, forces.on_wall);

@@ -20,24 +20,34 @@ public:
     template<class AnyLimiter>
     Vec<D> force(const ImageGroup& group, int i, const MirrorPath<D>& path, AnyLimiter limiter)
     {
-        PackVector<D> sum{};
-        for (std::size_t begin = group.begin; begin < group.end; begin += batch * pack_size) {
-            const std::size_t count = std::min(batch, (group.end - begin) / pack_size);
-            for (std::size_t n = 0; n < count; ++n)
-                reconstruct(n, begin + n * pack_size, i, path, group.own_first && begin + n == group.begin, limiter);
-            std::visit([&](auto riemann) { solve_riemann_problems(riemann, count); }, model_.riemann);
-            for (std::size_t n = 0; n < count; ++n) {
-                const Pack pressure = area_[n] * model_.eos.pressure_at_ratio(stars_[n]);
-                for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pressure, x_[n][a], sum[a]);
+        PartSums<D> parts{};
+        for (std::size_t part = 0; part < pack_parts; ++part) {
+            for (std::size_t begin = group.begin; begin < group.end; begin += batch * pack_size) {
+                const std::size_t count = std::min(batch, (group.end - begin) / pack_size);
+                for (std::size_t n = 0; n < count; ++n) {
+                    const std::size_t at = begin + n * pack_size + part * pack_lanes;
+                    reconstruct(n, at, i, path, group.own_first && at == group.begin, limiter);
+                }
+                std::visit([&](auto riemann) { solve_riemann_problems(riemann, count); }, model_.riemann);
+                add(parts[part], count);
             }
         }
+        const auto sum = sum_lanes_of(parts);
         Vec<D> total;
-        for (int a = 0; a < D; ++a) total[a] = sum_lanes(sum[static_cast<std::size_t>(a)]);
+        for (int a = 0; a < D; ++a) total[a] = sum[static_cast<std::size_t>(a)];
         return total;
     }
 
 private:
     static constexpr std::size_t batch = 8; // packs
+
+    void add(PackVector<D>& sum, std::size_t count) const
+    {
+        for (std::size_t n = 0; n < count; ++n) {
+            const Pack pressure = area_[n] * model_.eos.pressure_at_ratio(stars_[n]);
+            for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pressure, x_[n][a], sum[a]);
+        }
+    }
 
     template<class AnyRiemann> void solve_riemann_problems(AnyRiemann riemann, std::size_t count)
     {
@@ -56,16 +66,16 @@ private:
             load_columns<PairRecords<D>::slope_size>([this](int j) { return records_.slope(j); }, sources);
         const ImagePack<D> image = path.values(source, has_own);
         PairView<D, Pack> pair{};
-        RatioView<Pack> q{Pack{} + state_i[2 * D], image.ratio, Pack{}, Pack{}};
+        RatioView<Pack> q{everywhere(state_i[2 * D]), image.ratio, Pack{}, Pack{}};
         for (std::size_t a = 0; a < D; ++a) {
             pair.x[a] = image.x[a] - state_i[a];
             pair.velocity_jump[a] = image.velocity[a] - state_i[D + a];
         }
         for (std::size_t a = 0; a < D; ++a) {
-            q.slope_i = multiply_add(Pack{} + slope_i[a], pair.x[a], q.slope_i);
+            q.slope_i = multiply_add(everywhere(slope_i[a]), pair.x[a], q.slope_i);
             for (std::size_t b = 0; b < D; ++b)
                 pair.velocity_slope_i[a] =
-                    multiply_add(Pack{} + slope_i[D + a * D + b], pair.x[b], pair.velocity_slope_i[a]);
+                    multiply_add(everywhere(slope_i[D + a * D + b]), pair.x[b], pair.velocity_slope_i[a]);
         }
         path.predict(q.slope_j, pair.velocity_slope_j, slope, image, pair.x);
         const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);

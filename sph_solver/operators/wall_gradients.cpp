@@ -8,8 +8,8 @@ namespace {
 
 /// The sums of a group of images, lane by lane.
 template<int D> struct ImageSums {
-    std::array<Pack, D * D> moment{}, velocity{};
-    std::array<Pack, D> ratio{};
+    static constexpr std::size_t velocity = D * D, ratio = 2 * D * D, count = ratio + D;
+    std::array<Pack, count> sums{}; ///< M and G[v] row by row, G[q]
 
     /// \param weight share of the volume times |W'|/r; x from the particle to the images; jumps likewise
     [[gnu::always_inline]] inline void add(const PackVector<D>& x, const PackVector<D>& velocity_jump, Pack ratio_jump,
@@ -17,21 +17,24 @@ template<int D> struct ImageSums {
     {
         for (std::size_t b = 0; b < D; ++b) {
             const Pack weighted = weight * x[b];
-            ratio[b] = multiply_add(ratio_jump, weighted, ratio[b]);
+            sums[ratio + b] = multiply_add(ratio_jump, weighted, sums[ratio + b]);
             for (std::size_t a = 0; a < D; ++a) {
-                moment[a * D + b] = multiply_add(x[a], weighted, moment[a * D + b]);
-                velocity[a * D + b] = multiply_add(velocity_jump[a], weighted, velocity[a * D + b]);
+                const std::size_t ab = a * D + b;
+                sums[ab] = multiply_add(x[a], weighted, sums[ab]);
+                sums[velocity + ab] = multiply_add(velocity_jump[a], weighted, sums[velocity + ab]);
             }
         }
     }
 
-    void add_to(GradientSums<D>& sums, double rho0) const
+    static void add_to(GradientSums<D>& result, const PartSums<count>& parts, double rho0)
     {
-        for (int b = 0; b < D; ++b) {
-            sums.density[b] += rho0 * sum_lanes(ratio[static_cast<std::size_t>(b)]);
-            for (int a = 0; a < D; ++a) {
-                sums.moment(a, b) += sum_lanes(moment[static_cast<std::size_t>(a * D + b)]);
-                sums.velocity(a, b) += sum_lanes(velocity[static_cast<std::size_t>(a * D + b)]);
+        const auto total = sum_lanes_of(parts);
+        for (std::size_t b = 0; b < D; ++b) {
+            const int column = static_cast<int>(b);
+            result.density[column] += rho0 * total[ratio + b];
+            for (std::size_t a = 0; a < D; ++a) {
+                result.moment(static_cast<int>(a), column) += total[a * D + b];
+                result.velocity(static_cast<int>(a), column) += total[velocity + a * D + b];
             }
         }
     }
@@ -49,20 +52,23 @@ void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& imag
         const WallContact& contact = contacts[group.contact];
         const double* state_i = records.state(contact.particle);
         const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, false);
-        ImageSums<D> group_sums;
-        for (std::size_t n = group.begin; n < group.end; n += pack_size) {
-            const auto source = load_columns<8>(state_of, images.sources() + n);
-            const ImagePack<D> image = path.values(source, group.own_first && n == group.begin);
+        std::array<ImageSums<D>, pack_parts> group_sums;
+        for_each_part(group.end - group.begin, [&](auto part, std::size_t n) {
+            const std::size_t at = group.begin + n;
+            const auto source = load_columns<8>(state_of, images.sources() + at);
+            const ImagePack<D> image = path.values(source, group.own_first && n == 0);
             PackVector<D> x, jump;
             for (std::size_t a = 0; a < D; ++a) {
                 x[a] = image.x[a] - state_i[a];
                 jump[a] = image.velocity[a] - state_i[D + a];
             }
             const Pack r = square_root(dot(x, x) + 1e-300);
-            const Pack weight = load_pack(images.weights() + n) * source[2 * D + 1] * (model.kernel.slope(r) / r);
-            group_sums.add(x, jump, image.ratio - state_i[2 * D], weight);
-        }
-        group_sums.add_to(sums[contact.row], model.eos.rho0);
+            const Pack weight = load_pack(images.weights() + at) * source[2 * D + 1] * (model.kernel.slope(r) / r);
+            group_sums[part].add(x, jump, image.ratio - state_i[2 * D], weight);
+        });
+        PartSums<ImageSums<D>::count> parts;
+        for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = group_sums[part].sums;
+        ImageSums<D>::add_to(sums[contact.row], parts, model.eos.rho0);
     }
 }
 

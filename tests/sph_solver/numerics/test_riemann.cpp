@@ -103,11 +103,10 @@ TEST(Riemann, StrongShocksStayFinite)
 
 TEST(Riemann, PackGivesTheSameBits)
 {
-    const FaceStates<Pack> faces{
-        joined(HalfPack{1.0, 1.01, 0.99, 1.2}, HalfPack{}), joined(HalfPack{0.1, -0.02, 0.3, 0.0}, HalfPack{}),
-        joined(HalfPack{1.0, 0.98, 1.01, 0.9}, HalfPack{}), joined(HalfPack{-0.1, 0.01, 0.2, 0.0}, HalfPack{})};
+    const FaceStates<Pack> faces{Pack{1.0, 1.01, 0.99, 1.2}, Pack{0.1, -0.02, 0.3, 0.0}, Pack{1.0, 0.98, 1.01, 0.9},
+                                 Pack{-0.1, 0.01, 0.2, 0.0}};
     const auto packed = ExactRiemann{}(faces);
-    for (int k = 0; k < pack_size; ++k) {
+    for (std::size_t k = 0; k < pack_lanes; ++k) {
         const auto one = ExactRiemann{}(FaceStates<double>{faces.q_l[k], faces.u_l[k], faces.q_r[k], faces.u_r[k]});
         EXPECT_EQ(packed.q[k], one.q);
         EXPECT_EQ(packed.u[k], one.u);

@@ -34,7 +34,7 @@ TEST(NeighboursInReach, RowsAreFilledUpWithTheParticleItself)
     const auto reached = sample::reached_neighbours(particles, 0.246);
     for (std::size_t k = 0; k < reached.rows(); ++k) {
         const auto packs = reached.packs_of(k);
-        EXPECT_EQ(packs.size() % pack_size, 0U);
+        EXPECT_EQ(packs.size() % pack_lanes, 0U);
         for (std::size_t n = reached.of(k).size(); n < packs.size(); ++n) EXPECT_EQ(packs[n], particles.owned[k]);
     }
 }
