@@ -21,6 +21,7 @@ rivage_coupled_test(rank_agreement_solid ${CMAKE_CURRENT_LIST_DIR}/rank_agreemen
 rivage_coupled_test(schemes ${CMAKE_CURRENT_LIST_DIR}/schemes.py --programs ${RIVAGE_PROGRAMS})
 rivage_coupled_test(two_solids ${CMAKE_CURRENT_LIST_DIR}/two_solids.py --programs ${RIVAGE_PROGRAMS})
 rivage_coupled_test(outside ${CMAKE_CURRENT_LIST_DIR}/outside.py --build ${CMAKE_BINARY_DIR})
+rivage_coupled_test(fakes ${CMAKE_CURRENT_LIST_DIR}/fakes.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(replay ${CMAKE_CURRENT_LIST_DIR}/replay.py --programs ${RIVAGE_PROGRAMS})
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.
 rivage_coupled_test(moving_piston_acoustic ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/moving_piston/acoustic
