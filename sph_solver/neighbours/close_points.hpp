@@ -17,7 +17,7 @@
 namespace sph {
 
 /// What a selection may write beyond the last index that it keeps.
-inline constexpr std::size_t selection_overhang = pack_size;
+inline constexpr std::size_t selection_overhang = row_unit;
 
 using PackIndices = int __attribute__((vector_size(pack_lanes * sizeof(int))));
 
@@ -66,7 +66,7 @@ template<int D> class PointColumns {
 public:
     void load(const std::vector<Vec<D>>& points)
     {
-        for (std::size_t d = 0; d < D; ++d) columns_[d].resize(points.size() + pack_size);
+        for (std::size_t d = 0; d < D; ++d) columns_[d].resize(points.size() + row_unit);
         for (std::size_t i = 0; i < points.size(); ++i)
             for (std::size_t d = 0; d < D; ++d) columns_[d][i] = points[i][static_cast<int>(d)];
     }

@@ -20,17 +20,19 @@
 /// what opposite fluxes of a pair need; a sum of two products that belong to the two sides of a pair must not be fused.
 namespace sph {
 
-/// Rows of neighbours are filled up to multiples of eight: one Pack where a register holds eight doubles, else two, the
-/// two parts of the eight. Each part has sums of its own (for_each_part), so that every sum has the same order wherever
+/// Rows of neighbours are filled up to multiples of this: one Pack where a register holds eight doubles, else two, the
+/// two parts of the unit. Each part has sums of its own (for_each_part), so that every sum has the same order wherever
 /// registers end.
-inline constexpr int pack_size = 8;
+inline constexpr int row_unit = 8;
+/// The next multiple of row_unit.
+constexpr std::size_t whole_units(std::size_t count) { return (count + row_unit - 1) / row_unit * row_unit; }
 
 #if defined(__AVX512F__)
 inline constexpr std::size_t pack_lanes = 8;
 #else
 inline constexpr std::size_t pack_lanes = 4;
 #endif
-inline constexpr std::size_t pack_parts = pack_size / pack_lanes;
+inline constexpr std::size_t pack_parts = row_unit / pack_lanes;
 
 /// As many doubles as a register holds (a vector type of GCC and Clang). Arithmetic works lane by lane. It must not be
 /// wrapped in a struct of registers: GCC 12 copies those through memory, in pieces that the next load then waits for.
@@ -38,6 +40,7 @@ using Pack = double __attribute__((vector_size(pack_lanes * sizeof(double))));
 
 /// The same number in each lane.
 inline Pack everywhere(double a) { return a - Pack{}; }
+inline Pack everywhere(Pack a) { return a; }
 
 /// Calls visit(0), ..., visit(N - 1), each with its number as a constant: a loop that the compiler has unrolled before it
 /// decides what lives in registers.
@@ -117,11 +120,11 @@ inline Pack load_pack(const double* from)
 }
 
 /// Calls visit(part, n) for the packs of a row of `count` entries: n is a pack's first entry, ascending, and `part`, a
-/// constant, tells which part of an eight it is.
+/// constant, tells which part of a unit it is.
 template<class Visit> [[gnu::always_inline]] inline void for_each_part(std::size_t count, Visit visit)
 {
     std::size_t n = 0;
-    for (; n + pack_size <= count; n += pack_size)
+    for (; n + row_unit <= count; n += row_unit)
         unrolled<pack_parts>([&](auto part) __attribute__((always_inline)) { visit(part, n + part * pack_lanes); });
     if (n < count) visit(std::integral_constant<std::size_t, 0>{}, n);
 }

@@ -108,10 +108,10 @@ template<std::size_t Size, class Row>
 #endif
 }
 
-/// The sums of a row, apart by the parts of its eights (for_each_part).
+/// The sums of a row, apart by the parts of its units (for_each_part).
 template<std::size_t N> using PartSums = std::array<std::array<Pack, N>, pack_parts>;
 
-/// Sums of a row over lanes and parts: the tree over the lanes 0..7 of its eights, the same wherever registers end.
+/// Sums of a row over lanes and parts: the tree over the entries 0..7 of its units, the same wherever registers end.
 template<std::size_t N> [[gnu::always_inline]] inline std::array<double, N> sum_lanes_of(const PartSums<N>& parts)
 {
     std::array<double, N> sums;

@@ -9,15 +9,12 @@
 
 namespace sph {
 
-inline Pack as_pack(double a) { return everywhere(a); }
-inline Pack as_pack(Pack a) { return a; }
-
 /// Sum of a[k] x[k]: a gradient's prediction along the pairs. `Row` is a row of numbers or of packs.
 template<std::size_t D, class Row>
 [[gnu::always_inline]] inline Pack along(const Row* gradient, const std::array<Pack, D>& x)
 {
     Pack sum = gradient[0] * x[0];
-    for (std::size_t b = 1; b < D; ++b) sum = multiply_add(as_pack(gradient[b]), x[b], sum);
+    for (std::size_t b = 1; b < D; ++b) sum = multiply_add(everywhere(gradient[b]), x[b], sum);
     return sum;
 }
 
@@ -25,7 +22,6 @@ template<std::size_t D, class Row>
 template<int D> struct FluxPacks {
     static constexpr std::size_t mass = 0, by_mass = 1, by_pressure = 1 + D, dilation = 1 + 2 * D, swept = 2 + 2 * D;
     static constexpr std::size_t count = 3 + 2 * D;
-    std::array<Pack, count> sums{};
 
     static void write(FluxSums<D>& result, const PartSums<count>& parts)
     {
@@ -70,12 +66,10 @@ public:
         std::visit([this](auto riemann) { solve_riemann_problems(riemann); }, model_.riemann);
         std::size_t n = 0;
         for (std::size_t row = 0; row < row_count_; ++row) {
-            PartSums<FluxPacks<D>::count> parts;
-            std::array<FluxPacks<D>, pack_parts> packs;
+            PartSums<FluxPacks<D>::count> parts{};
             for_each_part(
                 rows_[row].length, [&](auto part, std::size_t)
-                                       __attribute__((always_inline)) { add(packs[part], faces_[n++]); });
-            for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = packs[part].sums;
+                                       __attribute__((always_inline)) { add(parts[part], faces_[n++]); });
             FluxPacks<D>::write(*rows_[row].sums, parts);
         }
         size_ = 0;
@@ -162,11 +156,10 @@ private:
         for (std::size_t n = 0; n < size_; ++n) faces_[n].star = riemann(faces_[n].sides);
     }
 
-    [[gnu::always_inline]] inline void add(FluxPacks<D>& packs, const Faces& faces) const
+    [[gnu::always_inline]] inline void add(std::array<Pack, FluxPacks<D>::count>& sums, const Faces& faces) const
     {
         using At = FluxPacks<D>;
         const Tait& eos = model_.eos;
-        auto& sums = packs.sums;
         const auto transport = motion_(eos.c0 * faces.star.u, faces.shift);
         const Pack per_length = faces.strength * faces.frame.inverse_distance;
         const Pack pressure = eos.pressure_at_ratio(faces.star.q) * per_length;

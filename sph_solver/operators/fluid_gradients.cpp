@@ -10,14 +10,13 @@ namespace {
 template<int D> struct PackedSums {
     static constexpr std::size_t velocity = D * (D + 1) / 2, ratio = velocity + D * D;
     static constexpr std::size_t count = ratio + D;
-    std::array<Pack, count> sums{};
 
     /// Place of M(a, b), a <= b, in its upper triangle row by row.
     static constexpr std::size_t upper_triangle(std::size_t a, std::size_t b) { return a * D - a * (a + 1) / 2 + b; }
 
     /// Adds the neighbours of a pack, given as columns (x, v, q, w), to the sums of particle i.
-    [[gnu::always_inline]] inline void add(const std::array<Pack, 8>& neighbour, const double* state,
-                                           const CubicSpline<D>& kernel)
+    [[gnu::always_inline]] static inline void add(std::array<Pack, count>& sums, const std::array<Pack, 8>& neighbour,
+                                                  const double* state, const CubicSpline<D>& kernel)
     {
         std::array<Pack, D> x, weighted;
         unrolled<D>([&](auto a) __attribute__((always_inline)) { x[a] = neighbour[a] - state[a]; });
@@ -63,13 +62,11 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
     rows.for_each([&](std::size_t k, int i) {
         const double* state = records.state(i);
         const auto row = neighbours.packs_of(k);
-        std::array<PackedSums<D>, pack_parts> packed;
+        PartSums<PackedSums<D>::count> parts{};
         for_each_part(
             row.size(), [&](auto part, std::size_t n) __attribute__((always_inline)) {
-                packed[part].add(load_columns<8>(state_of, &row[n]), state, kernel);
+                PackedSums<D>::add(parts[part], load_columns<8>(state_of, &row[n]), state, kernel);
             });
-        PartSums<PackedSums<D>::count> parts;
-        for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = packed[part].sums;
         PackedSums<D>::write(sums[k], parts, model.eos.rho0);
     });
 }

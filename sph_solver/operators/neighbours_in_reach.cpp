@@ -16,13 +16,13 @@ const ReachedNeighbours& NeighboursInReach<D>::select(const Particles<D>& partic
 
 template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, const NeighbourList& neighbours)
 {
-    static_assert(selection_overhang <= pack_size);
+    static_assert(selection_overhang <= row_unit);
     points_.resize(particles.size());
     const std::size_t rows = neighbours.rows();
     reached_.begins.resize(rows);
     reached_.ends.resize(rows);
-    // A row takes up to a pack more than its candidates: the one to fill up, and the one written past the end.
-    const std::size_t room = neighbours.indices.size() + (rows + 1) * pack_size;
+    // A row takes up to a unit more than its candidates: the one to fill up, and the one written past the end.
+    const std::size_t room = neighbours.indices.size() + (rows + 1) * row_unit;
     if (reached_.indices.size() < room) reached_.indices.resize(room);
     reached_.longest = 0;
     next_ = 0;
@@ -42,8 +42,8 @@ template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbour
         int* const end = points_.select(i, limit_, neighbours.of(k), out);
         reached_.begins[k] = static_cast<std::size_t>(out - first);
         reached_.ends[k] = static_cast<std::size_t>(end - first);
-        std::fill_n(end, pack_size, i);
-        const std::size_t length = ReachedNeighbours::whole_packs(static_cast<std::size_t>(end - out));
+        std::fill_n(end, row_unit, i);
+        const std::size_t length = whole_units(static_cast<std::size_t>(end - out));
         longest = std::max(longest, length);
         out += length;
     });

@@ -13,12 +13,12 @@
 namespace sph {
 
 /// Who sees whom now, in the form that the pair loops read: rows over the owned particles, each filled up to whole
-/// packs with the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
+/// units with the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
 struct ReachedNeighbours {
-    std::vector<std::size_t> begins; ///< first entry of each row, a multiple of pack_size
+    std::vector<std::size_t> begins; ///< first entry of each row, a multiple of row_unit
     std::vector<std::size_t> ends;   ///< one past the last neighbour of each row
-    std::vector<int> indices;        ///< local indices, rows in whole packs
-    std::size_t longest = 0;         ///< entries of the longest row, whole packs
+    std::vector<int> indices;        ///< local indices, rows in whole units
+    std::size_t longest = 0;         ///< entries of the longest row, whole units
 
     [[nodiscard]] std::size_t rows() const { return begins.size(); }
 
@@ -28,17 +28,11 @@ struct ReachedNeighbours {
         return {indices.data() + begins[k], ends[k] - begins[k]};
     }
 
-    /// The same row in whole registers: an eight may lack its second part, which would add zero.
+    /// The same row in whole packs: its last unit may lack the second of two, which would add zero.
     [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
     {
         const std::size_t packs = (ends[k] - begins[k] + pack_lanes - 1) / pack_lanes;
         return {indices.data() + begins[k], packs * pack_lanes};
-    }
-
-    /// The next multiple of pack_size.
-    static constexpr std::size_t whole_packs(std::size_t count)
-    {
-        return (count + pack_size - 1) / pack_size * pack_size;
     }
 };
 

@@ -22,10 +22,10 @@ public:
     {
         PartSums<D> parts{};
         for (std::size_t part = 0; part < pack_parts; ++part) {
-            for (std::size_t begin = group.begin; begin < group.end; begin += batch * pack_size) {
-                const std::size_t count = std::min(batch, (group.end - begin) / pack_size);
+            for (std::size_t begin = group.begin; begin < group.end; begin += batch * row_unit) {
+                const std::size_t count = std::min(batch, (group.end - begin) / row_unit);
                 for (std::size_t n = 0; n < count; ++n) {
-                    const std::size_t at = begin + n * pack_size + part * pack_lanes;
+                    const std::size_t at = begin + n * row_unit + part * pack_lanes;
                     reconstruct(n, at, i, path, group.own_first && at == group.begin, limiter);
                 }
                 std::visit([&](auto riemann) { solve_riemann_problems(riemann, count); }, model_.riemann);

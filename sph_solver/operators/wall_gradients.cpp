@@ -6,14 +6,13 @@
 namespace sph {
 namespace {
 
-/// The sums of a group of images, lane by lane.
+/// The sums of a group of images, lane by lane: M and G[v] row by row, then G[q].
 template<int D> struct ImageSums {
     static constexpr std::size_t velocity = D * D, ratio = 2 * D * D, count = ratio + D;
-    std::array<Pack, count> sums{}; ///< M and G[v] row by row, G[q]
 
     /// \param weight share of the volume times |W'|/r; x from the particle to the images; jumps likewise
-    [[gnu::always_inline]] inline void add(const PackVector<D>& x, const PackVector<D>& velocity_jump, Pack ratio_jump,
-                                           Pack weight)
+    [[gnu::always_inline]] static inline void add(std::array<Pack, count>& sums, const PackVector<D>& x,
+                                                  const PackVector<D>& velocity_jump, Pack ratio_jump, Pack weight)
     {
         for (std::size_t b = 0; b < D; ++b) {
             const Pack weighted = weight * x[b];
@@ -52,7 +51,7 @@ void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& imag
         const WallContact& contact = contacts[group.contact];
         const double* state_i = records.state(contact.particle);
         const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, false);
-        std::array<ImageSums<D>, pack_parts> group_sums;
+        PartSums<ImageSums<D>::count> parts{};
         for_each_part(group.end - group.begin, [&](auto part, std::size_t n) {
             const std::size_t at = group.begin + n;
             const auto source = load_columns<8>(state_of, images.sources() + at);
@@ -64,10 +63,8 @@ void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& imag
             }
             const Pack r = square_root(dot(x, x) + 1e-300);
             const Pack weight = load_pack(images.weights() + at) * source[2 * D + 1] * (model.kernel.slope(r) / r);
-            group_sums[part].add(x, jump, image.ratio - state_i[2 * D], weight);
+            ImageSums<D>::add(parts[part], x, jump, image.ratio - state_i[2 * D], weight);
         });
-        PartSums<ImageSums<D>::count> parts;
-        for (std::size_t part = 0; part < pack_parts; ++part) parts[part] = group_sums[part].sums;
         ImageSums<D>::add_to(sums[contact.row], parts, model.eos.rho0);
     }
 }

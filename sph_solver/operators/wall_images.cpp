@@ -111,11 +111,10 @@ template<int D> void WallImages<D>::flush_bucket(std::size_t code, const WallCon
 
 template<int D> void WallImages<D>::close_group(ImageGroup group, int particle)
 {
-    const std::size_t packs = (sources_.size() - group.begin + pack_size - 1) / pack_size;
-    group.end = group.begin + packs * pack_size;
+    group.end = group.begin + whole_units(sources_.size() - group.begin);
     sources_.resize(group.end, particle);
     weights_.resize(group.end, 0.0);
-    if (packs > 0) groups_.push_back(group);
+    if (group.end > group.begin) groups_.push_back(group);
 }
 
 template class WallImages<2>;

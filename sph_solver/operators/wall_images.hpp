@@ -18,13 +18,13 @@ struct ImageGroup {
     std::array<int, 3> path{};      ///< WallContacts::planes, `order` of them
     int order = 0;                  ///< 1 to 3
     bool own_first = false;         ///< the first image is that of the particle itself
-    std::size_t begin = 0, end = 0; ///< sources and weights, in whole packs
+    std::size_t begin = 0, end = 0; ///< sources and weights, in whole units
 };
 
 /// All images of one evaluation, found once for both passes. Only the source and the share of its volume are kept for
 /// each image: where it is and what its state is follow from its group's planes (operators/image_packs.hpp).
 ///
-/// Groups are filled up to whole packs with the particle itself at the weight zero. Their order, and that of the images in
+/// Groups are filled up to whole units with the particle itself at the weight zero. Their order, and that of the images in
 /// them, depends on the order of contacts and neighbours alone.
 template<int D> class WallImages {
 public:

@@ -3,21 +3,15 @@
 
 usage: fakes.py --build FOLDER [unittest's arguments]
 """
-import argparse
 import os
 import re
 import subprocess
-import sys
-import tempfile
-import unittest
 from pathlib import Path
 
 import numpy as np
 
-from coupled_run import ENVIRONMENT, ROOT
+from outside_test import ARGUMENTS, CASE, OutsideTest, main
 
-ARGUMENTS = argparse.Namespace()
-CASE = ROOT / "tests" / "coupled" / "drill_case" / "coupling.toml"
 END = 0.03
 SETTINGS = [f"coupling.time.end={END}", "coupling.coupling.acceleration=nodal", 'coupling.coupling.scheme="parallel"',
             "coupling.coupling.impedance_factor=0"]
@@ -26,24 +20,17 @@ SPRING = ["spring", "--mass", "100", "--stiffness", "1e6"]
 NUMBER = r"(-?\d\S*)"
 
 
-class Fakes(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class Fakes(OutsideTest):
     def together(self, fluid: list[str], solid: list[str], *more: str) -> subprocess.CompletedProcess:
         """One run of both, each a fake of the module or a program of the build."""
         overrides = [word for setting in (*SETTINGS, *more) for word in ("--set", setting)]
-        line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
-        for k, (name, words) in enumerate((("fluid", fluid), ("solid", solid))):
+        segments = []
+        for name, words in (("fluid", fluid), ("solid", solid)):
             program = ["/usr/bin/python3", "-m", f"rivage.fake_{name}", str(CASE), *words]
             if not words:
                 program = [str(ARGUMENTS.build / "bin" / f"fake_{name}"), str(CASE), "--out", str(self.folder / "out")]
-            line += [":"] * k + ["-n", "1", *program, *overrides]
-        environment = os.environ | ENVIRONMENT | {"PYTHONPATH": str(ARGUMENTS.build / "python")}
-        return subprocess.run(line, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, timeout=100, check=False)
+            segments.append(["-n", "1", *program, *overrides])
+        return self.mpirun(*segments)
 
     def solid_of(self, done: subprocess.CompletedProcess) -> tuple[float, float]:
         """Largest displacement and the load's work at the end."""
@@ -129,7 +116,4 @@ class Fakes(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PARSER = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    PARSER.add_argument("--build", type=lambda text: Path(text).resolve(), required=True)
-    ARGUMENTS, REST = PARSER.parse_known_args()
-    unittest.main(argv=[sys.argv[0], *REST])
+    main(__doc__)

@@ -3,21 +3,17 @@
 
 usage: outside.py --build FOLDER [unittest's arguments]
 """
-import argparse
 import os
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 
 import numpy as np
 
-from coupled_run import ENVIRONMENT, ROOT
+from coupled_run import ROOT
+from outside_test import ARGUMENTS, CASE, OutsideTest, main
 
-ARGUMENTS = argparse.Namespace()
-CASE = ROOT / "tests" / "coupled" / "drill_case" / "coupling.toml"
 C_EXAMPLE = ROOT / "coupler_lib" / "c_api" / "spring_plate.c"
 PYTHON_EXAMPLE = ROOT / "coupler_lib" / "python" / "examples" / "spring_plate.py"
 # A constant pressure of 1000 Pa on a metre, m = 100 kg, k = 1e6 N/m: u = -1 mm (1 - cos 100 t), small steps.
@@ -45,20 +41,7 @@ print("two runs, rank", rank)
 """
 
 
-class Outside(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def mpirun(self, *segments: list[str]) -> subprocess.CompletedProcess:
-        line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
-        for k, segment in enumerate(segments):
-            line += [":"] * (k > 0) + segment
-        environment = os.environ | ENVIRONMENT | {"PYTHONPATH": str(ARGUMENTS.build / "python")}
-        return subprocess.run(line, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, timeout=100, check=False)
-
+class Outside(OutsideTest):
     def fluid(self, *settings: str) -> list[str]:
         overrides = [word for setting in (*SETTINGS, *settings) for word in ("--set", setting)]
         return ["-n", "1", str(ARGUMENTS.build / "bin" / "fake_fluid"), str(CASE), "--out", str(self.folder / "out"), *overrides]
@@ -143,7 +126,4 @@ class Outside(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PARSER = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    PARSER.add_argument("--build", type=lambda text: Path(text).resolve(), required=True)
-    ARGUMENTS, REST = PARSER.parse_known_args()
-    unittest.main(argv=[sys.argv[0], *REST])
+    main(__doc__)

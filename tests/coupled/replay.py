@@ -10,12 +10,11 @@ import os
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from coupled_run import ENVIRONMENT, ROOT
+from coupled_run import ENVIRONMENT, ROOT, InScratchFolder
 
 ARGUMENTS = argparse.Namespace()
 GATE = ROOT / "cases" / "elastic_gate_small" / "coupling.toml"
@@ -57,12 +56,7 @@ def summary(out: Path, role: str) -> dict:
     return json.loads((out / role / "summary.json").read_text(encoding="utf-8"))
 
 
-class Replay(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class Replay(InScratchFolder):
     def record(self, case: Path, ranks: dict[str, int], *sets: str) -> Path:
         out = self.folder / "recorded"
         code, said = finish(start(recording(case, out, ranks, *sets)))

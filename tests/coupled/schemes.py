@@ -6,11 +6,10 @@ usage: schemes.py --programs BIN [unittest's arguments]
 import argparse
 import json
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from coupled_run import ROOT, run
+from coupled_run import ROOT, InScratchFolder, run
 
 from expectations import angular_frequency  # noqa: E402  (coupled_run adds cases/tools to the path)
 from run_folder import RunFolder  # noqa: E402
@@ -20,12 +19,7 @@ PISTON = ROOT / "cases" / "piston_column"
 GATE = ROOT / "cases" / "elastic_gate_small"
 
 
-class Schemes(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class Schemes(InScratchFolder):
     def run_case(self, name: str, case: Path, ranks: tuple[int, int], *sets: str) -> RunFolder:
         out = self.folder / name
         self.assertEqual(run(case, ARGUMENTS.programs, out, ranks, list(sets)), 0)

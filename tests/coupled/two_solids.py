@@ -7,13 +7,12 @@ import argparse
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-from coupled_run import ENVIRONMENT, ROOT, run
+from coupled_run import ENVIRONMENT, ROOT, InScratchFolder, run
 
 from run_folder import RunFolder  # noqa: E402  (coupled_run adds cases/tools to the path)
 
@@ -28,12 +27,7 @@ def tip(found: RunFolder, role: str) -> np.ndarray:
     return np.stack([probes["tip.ux"] * (-1 if role == "left" else 1), probes["tip.uy"]])
 
 
-class TwoSolids(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory(prefix="rivage_")
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class TwoSolids(InScratchFolder):
     def run_case(self, case: Path, ranks: tuple[int, int], *sets: str) -> RunFolder:
         out = self.folder / f"{case.name}_{ranks[0]}_{ranks[1]}"
         self.assertEqual(run(case, ARGUMENTS.programs, out, ranks, list(sets)), 0)

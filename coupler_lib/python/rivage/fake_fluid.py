@@ -5,20 +5,21 @@
     hydrostatic   rho g max(level - y, 0)                      force on a vertical wall wetted to the depth h: rho g h^2/2
     recorded      a table t[s],p[Pa] (CSV), linear between its rows, held at its ends
 
-2D, one rank, per metre of depth. The load of a window is that at the middle of the fluid's last step, on the moved surface.
+2D, one rank, per metre of depth. The load of a window is that at the middle of the fluid's last step, on the
+surface as it was at that step's start.
 """
 import argparse
 import math
 
 import numpy as np
 
+from rivage.fake_program import add_common, command, run
 from rivage.participant import Error, Participant
 from rivage.sides import Fluid, Window
 
 
 def parse() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="rivage.fake_fluid", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", help="coupling.toml")
+    parser = command("fluid", __doc__)
     laws = parser.add_subparsers(dest="law", required=True)
     constant, hydrostatic, recorded = (laws.add_parser(name) for name in ("constant", "hydrostatic", "recorded"))
     constant.add_argument("--pressure", type=float, required=True, help="Pa")
@@ -29,10 +30,9 @@ def parse() -> argparse.Namespace:
     for law in (constant, hydrostatic, recorded):
         law.add_argument("--dt", type=float, required=True, help="the fluid's step [s]")
         law.add_argument("--impedance", type=float, default=1e5, help="rho c that it reports [kg/(m^2 s)] (1e5)")
-        law.add_argument("--as", dest="role", default="fluid", help="role (fluid)")
         law.add_argument("--partner", help="role of the solid, where there are several")
         law.add_argument("--out", help="folder for interface.csv and energy_total.csv")
-        law.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="override, the same on all sides")
+    add_common(laws.choices.values(), "fluid")
     return parser.parse_args()
 
 
@@ -93,8 +93,6 @@ class Load:
 
 
 def play(told: argparse.Namespace, me: Participant) -> None:
-    if me.comm.size > 1:
-        raise Error(2, f"rivage.fake_fluid plays on one rank, but {me.comm.size} were started")
     if told.dt <= 0 or not math.isfinite(told.dt):
         raise Error(2, f"--dt {told.dt}: a step above zero is wanted")
     pressure = pressure_law(told)
@@ -117,11 +115,5 @@ def play(told: argparse.Namespace, me: Participant) -> None:
     print(f"rivage.fake_fluid: force {load.force[0]:.9e} {load.force[1]:.9e} N/m, work {work:.9e} J/m at t = {time:g} s", flush=True)
 
 
-def main() -> None:
-    told = parse()
-    with Participant(told.role, told.file, told.set) as me:
-        play(told, me)
-
-
 if __name__ == "__main__":
-    main()
+    run(parse(), play)

@@ -13,7 +13,9 @@ import argparse
 
 import numpy as np
 
+from rivage.fake_program import add_common, command, run
 from rivage.participant import Error, Participant
+from rivage.sides import Solid
 
 
 class Modes:
@@ -72,8 +74,7 @@ class Told:
 
 
 def parse() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="rivage.fake_solid", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", help="coupling.toml")
+    parser = command("solid", __doc__)
     motions = parser.add_subparsers(dest="motion", required=True)
     for name, numbers in {"spring": ("mass", "stiffness"), "rigid": ("amplitude", "frequency"), "beam": ("mass", "bending")}.items():
         motion = motions.add_parser(name)
@@ -86,8 +87,7 @@ def parse() -> argparse.Namespace:
         motion.add_argument("--start", type=float, nargs=2, default=[1.0, 0.0], help="m (1 0)")
         motion.add_argument("--end", type=float, nargs=2, default=[0.0, 0.0], help="m (0 0)")
         motion.add_argument("--facets", type=int, default=20)
-        motion.add_argument("--as", dest="role", default="solid", help="role (solid)")
-        motion.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="override, the same on all sides")
+    add_common(motions.choices.values(), "solid")
     return parser.parse_args()
 
 
@@ -101,8 +101,6 @@ def make(told: argparse.Namespace, share: np.ndarray, length: float) -> tuple[np
 
 
 def play(told: argparse.Namespace, me: Participant) -> None:
-    if me.comm.size > 1:
-        raise Error(2, f"rivage.fake_solid plays on one rank, but {me.comm.size} were started")
     if me.impedance_share > 0:
         raise Error(2, 'rivage.fake_solid takes the load as it comes: write coupling.scheme = "parallel" or "serial"')
     share = np.linspace(0, 1, told.facets + 1)
@@ -118,7 +116,7 @@ def play(told: argparse.Namespace, me: Participant) -> None:
 
     dt = 0.0
     for window in wet.windows():
-        force = nodal(wet, reference) @ normal
+        force = nodal(wet) @ normal
         if me.serial and window.step > 0:
             motion.advance(shapes @ force, dt)
         else:
@@ -132,24 +130,18 @@ def play(told: argparse.Namespace, me: Participant) -> None:
     print(f"rivage.fake_solid: u = {np.abs(u).max():.9e} m at t = {window.time:g} s, work {motion.work:.9e} J/m", flush=True)
 
 
-def nodal(wet, position: np.ndarray) -> np.ndarray:
-    """The load on the nodes [nodes, 2]; of an averaged one half of each facet's pressure force on either end."""
+def nodal(wet: Solid) -> np.ndarray:
+    """The load on the nodes [nodes, 2]; of an averaged one half of each facet's pressure force on either end, as if it had not turned."""
     if wet.force.any():
         return np.array(wet.force)
     a, b = wet.facets[:, 0], wet.facets[:, 1]
-    along = position[b] - position[a]
+    along = wet.reference[b] - wet.reference[a]
     half = 0.5 * wet.pressure[:, None] * np.column_stack([-along[:, 1], along[:, 0]])
-    force = np.zeros_like(position)
+    force = np.zeros_like(wet.reference)
     np.add.at(force, a, half)
     np.add.at(force, b, half)
     return force
 
 
-def main() -> None:
-    told = parse()
-    with Participant(told.role, told.file, told.set) as me:
-        play(told, me)
-
-
 if __name__ == "__main__":
-    main()
+    run(parse(), play)

@@ -155,7 +155,7 @@ TEST(ImagePacks, GroupsAreWholePacksThatBeginWithTheOwnImage)
     const auto model = heavy_model<2>();
     const WallPass<2> pass(square, particles, neighbours, model);
     for (const ImageGroup& group : pass.images.groups()) {
-        EXPECT_EQ((group.end - group.begin) % pack_size, 0u);
+        EXPECT_EQ((group.end - group.begin) % row_unit, 0u);
         const int self = square.contacts().contacts[group.contact].particle;
         EXPECT_EQ(group.own_first,
                   pass.images.sources()[group.begin] == self && pass.images.weights()[group.begin] > 0);
