@@ -6,8 +6,6 @@ usage: outside.py --build FOLDER [unittest's arguments]
 import os
 import re
 import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 
