@@ -14,7 +14,8 @@ One [[expect]] table a figure:
     at = 0.36                        time of value_at [s]
     from = 0.0, until = 0.2          only these times count [s]
     over = 9.61                      divide by a number, or by {file, column, operation} of the same run
-    reference = {file, column, time, scale}   curve for rms_to_reference; its columns times `scale` are SI
+    reference = {file, column, time, scale}   curve for rms_to_reference and largest_distance; its columns times `scale` are SI
+                {run, file, column}           or that of another run of verify.toml, made before
     value, tolerance, kind           expected value; kind = "relative" (default) or "absolute"
     low, high                        or a band, either end may be left out
     informative = true               printed, never judged
@@ -110,20 +111,20 @@ OPERATIONS = {
     "rise": lambda t, y, entry: (y - y[0]).max(),
     "change": lambda t, y, entry: np.abs(y - y[0]).max(),
     "angular_frequency": lambda t, y, entry: angular_frequency(t, y),
-    "rms_to_reference": lambda t, y, entry: rms_to_reference(t, y, entry),
+    "rms_to_reference": lambda t, y, entry: np.sqrt(np.mean(distances(t, y, entry)**2)),
+    "largest_distance": lambda t, y, entry: np.abs(distances(t, y, entry)).max(),
 }
 
 
-def rms_to_reference(t: np.ndarray, y: np.ndarray, entry: dict) -> float:
-    """Root mean square distance to a reference curve at the reference's own times within [from, until]."""
+def distances(t: np.ndarray, y: np.ndarray, entry: dict) -> np.ndarray:
+    """From a reference curve at the reference's own times within [from, until]."""
     curve = entry["reference"]
-    table = Table(entry["folder"] / curve["file"])
+    table = Table((entry["beside"] / curve["run"] if "run" in curve else entry["folder"]) / curve["file"])
     times = table[curve.get("time", "t")]
     inside = (times >= max(entry.get("from", t[0]), t[0])) & (times <= min(entry.get("until", t[-1]), t[-1]))
     if not inside.any():
         raise ValueError("the run covers none of the reference's times")
-    distance = np.interp(times[inside], t, y) - curve.get("scale", 1.0) * table[curve["column"]][inside]
-    return float(np.sqrt(np.mean(distance**2)))
+    return np.interp(times[inside], t, y) - curve.get("scale", 1.0) * table[curve["column"]][inside]
 
 
 def case_function(folder: Path, name: str):
@@ -154,7 +155,7 @@ def measure(run: RunFolder, entry: dict) -> float:
     t, y = table[entry.get("abscissa", "t")], sum(-table[name[1:]] if name.startswith("-") else table[name] for name in columns)
     if "at" in entry and not t[0] <= entry["at"] <= t[-1] * (1 + 1e-9) + 1e-9:
         raise ValueError(f"the run ends at t = {t[-1]:.4g} s")
-    if entry["operation"] != "rms_to_reference":
+    if "reference" not in entry:
         inside = (t >= entry.get("from", -math.inf)) & (t <= entry.get("until", math.inf))
         t, y = t[inside], y[inside]
     return float(OPERATIONS[entry["operation"]](t, y, entry)) / scale_of(run, entry)
@@ -181,7 +182,7 @@ def check(run: RunFolder, case: Path, name: str | None = None, title: str = "") 
         if not is_meant(entry, name):
             continue
         try:
-            findings.append(Finding(title or case.name, entry, measure(run, entry | {"folder": case})))
-        except (KeyError, ValueError, TypeError, IndexError) as error:
+            findings.append(Finding(title or case.name, entry, measure(run, entry | {"folder": case, "beside": run.path.parent})))
+        except (KeyError, OSError, ValueError, TypeError, IndexError) as error:
             findings.append(Finding(title or case.name, entry, None, str(error).strip("'\"")))
     return findings

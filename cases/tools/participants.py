@@ -1,42 +1,52 @@
 # SPDX-License-Identifier: MIT
-"""Prints what a case starts, one line a program: role, program, configuration file.
+"""What a case starts.
 
-A case with coupling.toml starts the programs of its [participants]; one without starts the solver whose own file it
-holds (fluid.toml: sph_solver, solid.toml: fem_solver).
+A case with coupling.toml starts the programs of its [participants]: an executable of the build, a Python script
+("gate.py", beside coupling.toml) or a Python module ("rivage.fake_solid"). One without starts the solver whose own
+file it holds (fluid.toml: sph_solver, solid.toml: fem_solver).
 """
-import sys
 import tomllib
+from dataclasses import dataclass, field
 from pathlib import Path
 
+PYTHON = "/usr/bin/python3"
 
-def participants(folder: Path) -> list[tuple[str, str, Path]]:
-    """The (role, program, configuration file) of each participant, in the order of the file."""
+
+@dataclass(frozen=True)
+class Starter:
+    """One program of a run: its role, what plays it, the file it is given, its own arguments before --as, --out and --set."""
+    role: str
+    program: str
+    file: Path
+    arguments: list[str] = field(default_factory=list)
+
+    @property
+    def is_python(self) -> bool:
+        return "." in self.program
+
+    def words(self, programs: Path) -> list[str]:
+        """The command up to --as; `programs` is the folder of the executables."""
+        if self.program.endswith(".py"):
+            first = [PYTHON, str(self.file.parent / self.program)]
+        else:
+            first = [PYTHON, "-m", self.program] if self.is_python else [str(programs / self.program)]
+        return [*first, str(self.file), *self.arguments]
+
+
+def participants(folder: Path) -> list[Starter]:
+    """In the order of the file. Raises ValueError, OSError."""
     shared = folder / "coupling.toml"
     if shared.exists():
         with shared.open("rb") as file:
             table = tomllib.load(file).get("participants", {})
         if not table:
             raise ValueError(f"{shared}: there is no [participants.NAME] table")
-        return [(role, entry["program"], shared) for role, entry in table.items()]
+        for role, entry in table.items():
+            if "program" not in entry:
+                raise ValueError(f"{shared}: [participants.{role}] names no program")
+        return [Starter(role, entry["program"], shared, entry.get("arguments", [])) for role, entry in table.items()]
     for role, program in (("fluid", "sph_solver"), ("solid", "fem_solver")):
         own = folder / f"{role}.toml"
         if own.exists():
-            return [(role, program, own)]
+            return [Starter(role, program, own)]
     raise ValueError(f"{folder}: neither coupling.toml nor fluid.toml nor solid.toml is there")
-
-
-def main() -> int:
-    try:
-        for line in participants(Path(sys.argv[1])):
-            print(*line)
-    except KeyError as key:
-        print(f"{sys.argv[1]}/coupling.toml: a participant has no key {key}", file=sys.stderr)
-        return 2
-    except (ValueError, OSError) as error:
-        print(error, file=sys.stderr)
-        return 2
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -35,7 +35,7 @@ def made(planned: PlannedRun, programs: Path, out: Path) -> tuple[RunFolder, dic
     if planned.test_program:
         code = launch_tests(programs.parent / "tests/bin" / planned.test_program, planned.filter, out)
     else:
-        code = launch(planned.folder, programs, out, planned.ranks, planned.settings, timeout=None)
+        code = launch((planned.folder / planned.inputs).resolve(), programs, out, planned.ranks, planned.settings, timeout=None)
     run = RunFolder(out)
     write_energy_total(run)
     facts = {"run": planned.name, "wall_s": round(time.monotonic() - start, 1), "exit_code": code}

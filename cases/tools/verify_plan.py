@@ -6,6 +6,7 @@ One [[run]] table a run:
     name        = "dx 0.04"          what expect.toml calls it (`run = "dx 0.04"`)
     set         = ["fluid.resolution.spacing=0.04"]   overrides; none: the case as it stands
     fluid_ranks = 1, solid_ranks = 1
+    inputs      = ".."               the folder of the input files, relative to this one, to set another case beside this
     test        = true               a small sibling for ctest, left out by ./rivage verify
     test_program = "test_fem_time", filter = "Hht.*"    instead of a solver, tests of that program: what they record by
                                      RecordProperty is the run's summary.json
@@ -19,7 +20,7 @@ from pathlib import Path
 
 CASES = Path(__file__).resolve().parent.parent
 INPUTS = ("coupling.toml", "fluid.toml", "solid.toml")
-KEYS = {"name", "set", "fluid_ranks", "solid_ranks", "test", "test_program", "filter"}
+KEYS = {"name", "inputs", "set", "fluid_ranks", "solid_ranks", "test", "test_program", "filter"}
 
 
 @dataclass(frozen=True)
@@ -31,10 +32,11 @@ class PlannedRun:
     test: bool = False
     test_program: str = ""
     filter: str = "*"
+    inputs: str = "."
 
     @property
     def as_it_stands(self) -> bool:
-        return not self.settings and not self.test_program
+        return not self.settings and not self.test_program and self.inputs == "."
 
 
 def is_case(folder: Path) -> bool:
@@ -86,7 +88,7 @@ def plan(folder: Path) -> list[PlannedRun]:
             raise ValueError(f"{path}: a [[run]] needs a name and knows {', '.join(sorted(KEYS))}; unknown: {unknown or 'none'}")
         ranks = (entry.get("fluid_ranks", 1), entry.get("solid_ranks", 1))
         runs.append(PlannedRun(folder, entry["name"], tuple(entry.get("set", ())), ranks, entry.get("test", False),
-                               entry.get("test_program", ""), entry.get("filter", "*")))
+                               entry.get("test_program", ""), entry.get("filter", "*"), entry.get("inputs", ".")))
     if len({run.name for run in runs}) < len(runs):
         raise ValueError(f"{path}: two runs have the same name")
     return runs

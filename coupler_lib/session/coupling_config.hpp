@@ -14,6 +14,12 @@ namespace coupler {
 /// [participants.NAME]
 struct ParticipantConfig {
     std::string program, file;
+    std::vector<std::string> arguments;
+
+    /// Whether /usr/bin/python3 plays the role: a script "name.py", or a module with a dot in its name.
+    bool is_python() const { return program.find('.') != std::string::npos; }
+    /// As one would type it, without the overrides. \param shared_file path of coupling.toml
+    std::string command(const std::string& role, const std::string& shared_file) const;
 };
 
 /// [time]: of the whole coupled run.

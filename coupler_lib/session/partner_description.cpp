@@ -70,6 +70,11 @@ std::vector<PartnerDescription> describe_partners(const CouplingConfig& config, 
     const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
     for (const auto& [role, participant] : config.participants) {
         if (role == own_role) continue;
+        if (participant.is_python()) {
+            partners.push_back(
+                {role, {}, participant.program + " is a solver from outside, which does not describe itself"});
+            continue;
+        }
         const fs::path program = folder / participant.program;
         if (!fs::exists(program)) {
             partners.push_back({role, {}, base::text(participant.program, " is not in ", folder.string())});

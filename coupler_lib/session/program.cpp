@@ -27,7 +27,7 @@ std::vector<LaunchSegment> launch_segments(const RunFiles& files)
     std::vector<LaunchSegment> segments;
     if (!files.coupling) return segments;
     for (const auto& [role, participant] : files.coupling->participants)
-        segments.push_back({role, participant.program + " " + files.coupling_file + " --as " + role});
+        segments.push_back({role, participant.command(role, files.coupling_file)});
     return segments;
 }
 

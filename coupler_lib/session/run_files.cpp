@@ -119,8 +119,11 @@ RunFiles read_run_files(const ProgramInfo& program, const CommandLine& command)
     }
     files.coupling = read_shared(document, command, files.role, files.used_coupling);
     for (const auto& [name, participant] : files.coupling->participants)
-        if (name == files.role)
+        if (name == files.role) {
+            base::require_input(!participant.file.empty(), command.file, ": [participants.", name,
+                                "] names no file = \"...\", which ", program.name, " needs");
             read_own(program, command, (fs::path(files.case_dir) / participant.file).string(), files);
+        }
     return files;
 }
 

@@ -21,6 +21,9 @@ rivage_coupled_test(rank_agreement_solid ${CMAKE_CURRENT_LIST_DIR}/rank_agreemen
 rivage_coupled_test(schemes ${CMAKE_CURRENT_LIST_DIR}/schemes.py --programs ${RIVAGE_PROGRAMS})
 rivage_coupled_test(two_solids ${CMAKE_CURRENT_LIST_DIR}/two_solids.py --programs ${RIVAGE_PROGRAMS})
 rivage_coupled_test(outside ${CMAKE_CURRENT_LIST_DIR}/outside.py --build ${CMAKE_BINARY_DIR})
+foreach(fake spring beam rigid_wall recorded)
+    rivage_coupled_test(fake_${fake} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/fakes/${fake} --programs ${RIVAGE_PROGRAMS})
+endforeach()
 rivage_coupled_test(fakes ${CMAKE_CURRENT_LIST_DIR}/fakes.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(replay ${CMAKE_CURRENT_LIST_DIR}/replay.py --programs ${RIVAGE_PROGRAMS})
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.
@@ -29,8 +32,9 @@ rivage_coupled_test(moving_piston_acoustic ${CMAKE_CURRENT_LIST_DIR}/run_case.py
 rivage_coupled_test(moving_piston_coarse ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/moving_piston
                     --programs ${RIVAGE_PROGRAMS} --set fluid.resolution.spacing=0.005 --set fluid.time.end=0.5)
 # Small siblings of the validation runs: coarser and shorter, held to their own distance from the fine ones.
-foreach(case stretching_patch standing_wave hydrostatic_tank dam_break taylor_green)
-    rivage_coupled_test(small_${case} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
+foreach(case stretching_patch standing_wave hydrostatic_tank dam_break taylor_green elastic_gate/outside_solver)
+    string(REPLACE / _ name ${case})
+    rivage_coupled_test(small_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
 # The solid alone against exact answers, each run short enough as it stands.

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Solvers from outside: the C example against the installed library, the Python module, what each says when something is wrong.
+"""Solvers from outside: the C and the C++ example against the installed library, the Python module, what each says when something is wrong.
 
 usage: outside.py --build FOLDER [unittest's arguments]
 """
 import os
 import re
 import subprocess
+from pathlib import Path
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from coupled_run import ROOT
 from outside_test import ARGUMENTS, CASE, OutsideTest, main
 
 C_EXAMPLE = ROOT / "coupler_lib" / "c_api" / "spring_plate.c"
+CPP_EXAMPLE = C_EXAMPLE.with_suffix(".cpp")
 PYTHON_EXAMPLE = ROOT / "coupler_lib" / "python" / "examples" / "spring_plate.py"
 # A constant pressure of 1000 Pa on a metre, m = 100 kg, k = 1e6 N/m: u = -1 mm (1 - cos 100 t), small steps.
 SETTINGS = ["fluid.fluid.radiating=false", "fluid.fluid.dt=1e-5", "coupling.time.end=0.03", "coupling.coupling.acceleration=nodal"]
@@ -55,19 +57,36 @@ class Outside(OutsideTest):
         self.assertIsNotNone(found, done.stdout)
         self.assertAlmostEqual(float(found[1]) / EXACT, 1, delta=0.003)
 
-    def test_the_c_example_with_the_installed_library(self) -> None:
-        prefix, example = self.folder / "prefix", self.folder / "spring_plate"
+    def installed(self, compiler: str, source: Path) -> str:
+        """The example, built against the installed library."""
+        prefix, example = self.folder / "prefix", self.folder / compiler.replace("/", "_")
         subprocess.run(["cmake", "--install", str(ARGUMENTS.build), "--prefix", str(prefix), "--component", "coupler"],
                        check=True, stdout=subprocess.DEVNULL)
         package = next(prefix.rglob("rivage.pc")).parent
         flags = subprocess.run(["pkg-config", "--cflags", "--libs", "rivage"], env=os.environ | {"PKG_CONFIG_PATH": str(package)},
                                check=True, capture_output=True, text=True).stdout.split()
-        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", str(C_EXAMPLE), *flags, f"-Wl,-rpath,{package.parent}",
+        subprocess.run([*compiler.split(), "-Wall", "-Wextra", "-Werror", str(source), *flags, f"-Wl,-rpath,{package.parent}",
                         "-o", str(example)], check=True)
-        self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", str(example), str(CASE), *SETTINGS]))
-        wrong = self.mpirun(self.fluid(), ["-n", "1", str(example), str(CASE), *SETTINGS, "coupling.time.ende=1"])
-        self.assertEqual(wrong.returncode, 2, wrong.stdout)
-        self.assertIn("did you mean 'end'", wrong.stdout)
+        return str(example)
+
+    def test_the_c_and_the_cpp_example_with_the_installed_library(self) -> None:
+        for compiler, source in (("cc -std=c11", C_EXAMPLE), ("c++ -std=c++11", CPP_EXAMPLE)):
+            with self.subTest(compiler):
+                example = self.installed(compiler, source)
+                self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", example, str(CASE), *SETTINGS]))
+                wrong = self.mpirun(self.fluid(), ["-n", "1", example, str(CASE), *SETTINGS, "coupling.time.ende=1"])
+                self.assertEqual(wrong.returncode, 2, wrong.stdout)
+                self.assertIn("did you mean 'end'", wrong.stdout)
+
+    def test_an_exception_in_cpp_ends_all_with_its_message(self) -> None:
+        text = CPP_EXAMPLE.read_text(encoding="utf-8")
+        for good, bad, code, words in (("double u = 0", 'throw std::runtime_error("the spring is broken"); double u = 0', 3, "the spring is broken"),
+                                       ("wet.send({1, u, 0, u}", "wet.send({1, u}", 2, "want an entry for each coordinate")):
+            (self.folder / "wrong.cpp").write_text(text.replace(good, bad), encoding="utf-8")
+            done = self.mpirun(self.fluid(), ["-n", "1", self.installed("c++ -std=c++11", self.folder / "wrong.cpp"), str(CASE), *SETTINGS])
+            self.assertEqual(done.returncode, code, done.stdout)
+            self.assertIn(words, done.stdout)
+            self.assertEqual(done.stdout.count("rivage: "), 1, done.stdout)
 
     def test_the_cmake_package(self) -> None:
         prefix, project = self.folder / "prefix", self.folder / "project"
@@ -81,9 +100,11 @@ class Outside(OutsideTest):
                      ["cmake", "--build", str(project / "b")]):
             subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
 
-    def test_the_page_shows_the_example(self) -> None:
-        text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
-        self.assertIn(text[text.index("import sys"):], (ROOT / "docs" / "couple_your_own_solver.md").read_text(encoding="utf-8"))
+    def test_the_page_shows_the_examples(self) -> None:
+        page = (ROOT / "docs" / "couple_your_own_solver.md").read_text(encoding="utf-8")
+        for example, begin in ((PYTHON_EXAMPLE, "import sys"), (CPP_EXAMPLE, "#include")):
+            text = example.read_text(encoding="utf-8")
+            self.assertIn(text[text.index(begin):], page)
 
     def test_the_python_example(self) -> None:
         self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), *SETTINGS]))

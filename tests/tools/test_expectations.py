@@ -55,6 +55,14 @@ class Operations(unittest.TestCase):
         (self.path / "curve.csv").write_text("# source\nt[s],x[mm]\n0,2001\n0.5,1501\n1,1001\n", encoding="utf-8")
         reference = {"file": "curve.csv", "column": "x", "scale": 1e-3}
         self.assertAlmostEqual(self.figure(operation="rms_to_reference", column="tip.uy", reference=reference), 1e-3)
+        self.assertAlmostEqual(self.figure(operation="largest_distance", column="tip.uy", reference=reference), 1e-3)
+
+    def test_distance_to_another_run(self):
+        other = self.path / "other/solid"
+        other.mkdir(parents=True)
+        (other / "probes.csv").write_text("t[s],tip.ux[m]\n0,0\n0.5,0.3\n1,0.02\n", encoding="utf-8")
+        reference = {"run": "other", "file": "solid/probes.csv", "column": "tip.ux"}
+        self.assertAlmostEqual(self.figure(operation="largest_distance", reference=reference, beside=self.path), 0.05)
 
     def test_a_line_cut_short_is_left_out(self):
         self.assertEqual(len(Table(self.path / "solid/probes.csv")), 11)

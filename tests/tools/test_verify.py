@@ -69,6 +69,7 @@ class Plan(Scratch):
         fine, coarse = plan(self.path)
         self.assertTrue(fine.as_it_stands)
         self.assertFalse(coarse.as_it_stands)
+        self.assertEqual(fine.inputs, ".")
         self.assertEqual(coarse.ranks, (2, 1))
         write(self.path / "verify.toml", '[[run]]\nname = "fine"\nsets = []\n')
         with self.assertRaisesRegex(ValueError, "sets"):

@@ -16,7 +16,9 @@
 Arrays are numpy's, [nodes, dimension] or [facets]; those that come in are views of the library's memory, valid until the next
 receive. SI units; 2D is per metre of depth.
 """
+from rivage.own_file import read_own_file
 from rivage.participant import Error, Participant, version
 from rivage.sides import Fluid, Solid, Window
+from rivage.tables import SolidTables
 
-__all__ = ["Error", "Fluid", "Participant", "Solid", "Window", "version"]
+__all__ = ["Error", "Fluid", "Participant", "Solid", "SolidTables", "Window", "read_own_file", "version"]

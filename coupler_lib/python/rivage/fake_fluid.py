@@ -5,11 +5,12 @@
     hydrostatic   rho g max(level - y, 0)                      force on a vertical wall wetted to the depth h: rho g h^2/2
     recorded      a table t[s],p[Pa] (CSV), linear between its rows, held at its ends
 
-2D, one rank, per metre of depth. The load of a window is that at the middle of the fluid's last step, on the
+2D, one rank, per metre of depth. With --out: coupling/interface.csv and energy_total.csv. The load of a window is that at the middle of the fluid's last step, on the
 surface as it was at that step's start.
 """
 import argparse
 import math
+from pathlib import Path
 
 import numpy as np
 
@@ -26,12 +27,11 @@ def parse() -> argparse.Namespace:
     hydrostatic.add_argument("--level", type=float, required=True, help="height y of the surface [m]")
     hydrostatic.add_argument("--density", type=float, default=1000.0, help="kg/m^3 (1000)")
     hydrostatic.add_argument("--gravity", type=float, default=9.81, help="m/s^2 (9.81)")
-    recorded.add_argument("--table", required=True, help="CSV file with one line of headings: t[s],p[Pa]")
+    recorded.add_argument("--table", required=True, help="CSV file with one line of headings, t[s],p[Pa]; its place is relative to coupling.toml")
     for law in (constant, hydrostatic, recorded):
         law.add_argument("--dt", type=float, required=True, help="the fluid's step [s]")
         law.add_argument("--impedance", type=float, default=1e5, help="rho c that it reports [kg/(m^2 s)] (1e5)")
         law.add_argument("--partner", help="role of the solid, where there are several")
-        law.add_argument("--out", help="folder for interface.csv and energy_total.csv")
     add_common(laws.choices.values(), "fluid")
     return parser.parse_args()
 
@@ -53,7 +53,7 @@ def pressure_law(told: argparse.Namespace):
         return lambda y, t: np.full_like(y, told.pressure)
     if told.law == "hydrostatic":
         return lambda y, t: told.density * told.gravity * np.maximum(told.level - y, 0)
-    rows = read_table(told.table)
+    rows = read_table(str(Path(told.file).parent / told.table))
     return lambda y, t: np.full_like(y, np.interp(t, rows[:, 0], rows[:, 1]))
 
 

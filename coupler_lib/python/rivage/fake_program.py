@@ -16,6 +16,7 @@ def add_common(parsers: Iterable[argparse.ArgumentParser], role: str) -> None:
     for parser in parsers:
         parser.add_argument("--as", dest="role", default=role, help=f"role ({role})")
         parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="override, the same on all sides")
+        parser.add_argument("--out", help="folder for the tables")
 
 
 def run(told: argparse.Namespace, play: Callable[[argparse.Namespace, Participant], None]) -> None:

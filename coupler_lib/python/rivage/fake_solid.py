@@ -7,7 +7,8 @@
              w = sum over odd n of 4 p / (n pi m w_n^2) sin(n pi x/L) (1 - cos w_n t),  w_n = (n pi/L)^2 sqrt(EI/m)
 
 2D, one rank, per metre of depth. The wet surface is the straight line from --start to --end, the body on its left; motion is
-along its normal, positive into the body, that is, the way a pressure pushes.
+along its normal, positive into the body, that is, the way a pressure pushes. With --out: ROLE/probes.csv with the motion of the
+line's middle, ROLE/energy.csv.
 """
 import argparse
 
@@ -16,6 +17,7 @@ import numpy as np
 from rivage.fake_program import add_common, command, run
 from rivage.participant import Error, Participant
 from rivage.sides import Solid
+from rivage.tables import SolidTables
 
 
 class Modes:
@@ -114,7 +116,7 @@ def play(told: argparse.Namespace, me: Participant) -> None:
     def field(q: np.ndarray) -> np.ndarray:
         return (q @ shapes)[:, None] * normal
 
-    dt = 0.0
+    tables, middle, dt = SolidTables(me, told.out, ["middle.u[m]"]), shapes[:, len(share) // 2], 0.0
     for window in wet.windows():
         force = nodal(wet) @ normal
         if me.serial and window.step > 0:
@@ -122,8 +124,9 @@ def play(told: argparse.Namespace, me: Participant) -> None:
         else:
             motion.load(shapes @ force)
         u = field(motion.q)
-        wet.send(reference + u, field(motion.v), field(motion.a), work=motion.work, kinetic=motion.kinetic, strain=motion.strain,
-                 force=force.sum() * normal, displacement_max=np.abs(u).max())
+        energies = {"work": motion.work, "kinetic": motion.kinetic, "strain": motion.strain}
+        wet.send(reference + u, field(motion.v), field(motion.a), force=force.sum() * normal, displacement_max=np.abs(u).max(), **energies)
+        tables.write(window, [motion.q @ middle], **energies)
         dt = window.dt
         if not (me.serial or window.last or window.step < 0):
             motion.advance(shapes @ force, dt)
