@@ -16,12 +16,13 @@ class Table:
     """A CSV file of numbers; every row is on the disk at once."""
 
     def __init__(self, path: Path, columns: Iterable[str]):
+        self.path = path
         path.parent.mkdir(parents=True, exist_ok=True)
-        self.file = path.open("w", encoding="utf-8", buffering=1)
-        print(*columns, sep=",", file=self.file)
+        path.write_text(",".join(columns) + "\n", encoding="utf-8")
 
     def row(self, values: Iterable[float]) -> None:
-        print(*(f"{value:.12g}" for value in values), sep=",", file=self.file)
+        with self.path.open("a", encoding="utf-8") as file:
+            print(*(f"{value:.12g}" for value in values), sep=",", file=file)
 
 
 class SolidTables:

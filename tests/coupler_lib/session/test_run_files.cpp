@@ -100,6 +100,20 @@ TEST_F(RunFilesTest, ErrorsNameWhatIsWrong)
     EXPECT_TRUE(contains(error_of("coupling.toml"), "two participants are wanted"));
 }
 
+TEST_F(RunFilesTest, AParticipantMayBeAPythonProgram)
+{
+    write("coupling.toml",
+          "[participants.fluid]\nprogram = 'rivage.fake_fluid'\narguments = ['constant', '--pressure', '1']\n"
+          "[participants.solid]\nprogram = 'gate.py'\n[time]\nend = 0.4\n");
+    EXPECT_TRUE(contains(error_of("coupling.toml", {}, "solid"), "[participants.solid] names no file"));
+    const std::string shared = (folder_ / "coupling.toml").string();
+    const auto config = coupler::read_shared_file(shared, "fluid", {}).config;
+    EXPECT_EQ(config.participants[0].second.command("fluid", shared),
+              "/usr/bin/python3 -m rivage.fake_fluid " + shared + " constant --pressure 1 --as fluid");
+    EXPECT_EQ(config.participants[1].second.command("solid", shared),
+              "/usr/bin/python3 " + (folder_ / "gate.py").string() + " " + shared + " --as solid");
+}
+
 TEST_F(RunFilesTest, SeveralSolidsHaveAnInterfaceEach)
 {
     const std::string four = "[participants.fluid]\nprogram = 'a'\nfile = 'fluid.toml'\n"
