@@ -25,6 +25,7 @@ foreach(fake spring beam rigid_wall recorded)
     rivage_coupled_test(fake_${fake} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/fakes/${fake} --programs ${RIVAGE_PROGRAMS})
 endforeach()
 rivage_coupled_test(python_module ${CMAKE_CURRENT_LIST_DIR}/python_module.py --build ${CMAKE_BINARY_DIR})
+rivage_coupled_test(code_aster ${CMAKE_CURRENT_LIST_DIR}/code_aster.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(fakes ${CMAKE_CURRENT_LIST_DIR}/fakes.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(replay ${CMAKE_CURRENT_LIST_DIR}/replay.py --programs ${RIVAGE_PROGRAMS})
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.

@@ -14,12 +14,14 @@ ARGUMENTS = argparse.Namespace()
 
 
 class OutsideTest(InScratchFolder):
+    python_paths: tuple[Path, ...] = ()          # besides the build's module
+
     def mpirun(self, *segments: list[str]) -> subprocess.CompletedProcess:
         """One run of several programs, each given as its words after `mpirun` or `:`."""
         line = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
         for k, segment in enumerate(segments):
             line += [":"] * (k > 0) + segment
-        environment = os.environ | ENVIRONMENT | {"PYTHONPATH": str(ARGUMENTS.build / "python")}
+        environment = os.environ | ENVIRONMENT | {"PYTHONPATH": os.pathsep.join(map(str, (ARGUMENTS.build / "python", *self.python_paths)))}
         return subprocess.run(line, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True, timeout=100, check=False)
 

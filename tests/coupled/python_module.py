@@ -9,6 +9,8 @@ import types
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 BUILD = Path(sys.argv.pop(sys.argv.index("--build") + 1)).resolve()
 sys.argv.remove("--build")
 sys.path.insert(0, str(BUILD / "python"))
@@ -46,6 +48,14 @@ class OwnFile(InFolder):
         (self.folder / "solid.toml").write_text("[material", encoding="utf-8")
         with self.assertRaisesRegex(rivage.Error, "solid.toml"):
             rivage.read_own_file(self.folder / "coupling.toml", "solid")
+
+
+class Normals(unittest.TestCase):
+    def test_into_the_body_and_as_long_as_the_facet_is_large(self) -> None:
+        corners = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]], float)     # counterclockwise seen from +z, outside
+        for dimension, facet, wanted in ((3, [0, 1, 2, 3], (0, 0, -2)), (3, [0, 1, 2, -1], (0, 0, -1)), (2, [1, 0, -1, -1], (0, -2))):
+            side = types.SimpleNamespace(facets=np.array([facet]), reference=corners[:, :dimension])
+            np.testing.assert_allclose(rivage.Solid.inward(side, corners[:, :dimension])[0], wanted)
 
 
 class Tables(InFolder):

@@ -16,7 +16,6 @@ import numpy as np
 
 from rivage.fake_program import add_common, command, run
 from rivage.participant import Error, Participant
-from rivage.sides import Solid
 from rivage.tables import SolidTables
 
 
@@ -118,7 +117,7 @@ def play(told: argparse.Namespace, me: Participant) -> None:
 
     tables, middle, dt = SolidTables(me, told.out, ["middle.u[m]"]), shapes[:, len(share) // 2], 0.0
     for window in wet.windows():
-        force = nodal(wet) @ normal
+        force = wet.nodal_force(reference) @ normal      # the direction as at the start
         if me.serial and window.step > 0:
             motion.advance(shapes @ force, dt)
         else:
@@ -131,19 +130,6 @@ def play(told: argparse.Namespace, me: Participant) -> None:
         if not (me.serial or window.last or window.step < 0):
             motion.advance(shapes @ force, dt)
     print(f"rivage.fake_solid: u = {np.abs(u).max():.9e} m at t = {window.time:g} s, work {motion.work:.9e} J/m", flush=True)
-
-
-def nodal(wet: Solid) -> np.ndarray:
-    """The load on the nodes [nodes, 2]; of an averaged one half of each facet's pressure force on either end, as if it had not turned."""
-    if wet.force.any():
-        return np.array(wet.force)
-    a, b = wet.facets[:, 0], wet.facets[:, 1]
-    along = wet.reference[b] - wet.reference[a]
-    half = 0.5 * wet.pressure[:, None] * np.column_stack([-along[:, 1], along[:, 0]])
-    force = np.zeros_like(wet.reference)
-    np.add.at(force, a, half)
-    np.add.at(force, b, half)
-    return force
 
 
 if __name__ == "__main__":

@@ -73,6 +73,30 @@ class Solid:
         return c.view(c.LIBRARY.rivage_solid_pressure(self.handle), (len(self.facets),))
 
     @property
+    def is_averaged(self) -> bool:
+        """Whether the load that came is a pressure on facets (interface.load = "averaged") and no force on nodes."""
+        return bool(c.LIBRARY.rivage_solid_pressure(self.handle))
+
+    def inward(self, position: np.ndarray) -> np.ndarray:
+        """Normal of each facet into the body, times its length or area [facets, dimension]."""
+        corner = position[self.facets[:, :3]]
+        if self.reference.shape[1] == 2:
+            along = corner[:, 1] - corner[:, 0]
+            return np.column_stack([-along[:, 1], along[:, 0]])
+        last = np.where(self.facets[:, 3] < 0, self.facets[:, 0], self.facets[:, 3])     # a triangle is a quadrilateral with a = d
+        return -0.5 * np.cross(corner[:, 2] - corner[:, 0], position[last] - corner[:, 1])
+
+    def nodal_force(self, position: np.ndarray) -> np.ndarray:
+        """The load as forces on nodes [nodes, dimension]; of an averaged one equal parts of p n A on each corner, the surface at `position`."""
+        if not self.is_averaged:
+            return np.array(self.force)
+        used = self.facets >= 0
+        part = (self.pressure / used.sum(axis=1))[:, None] * self.inward(position)
+        force = np.zeros_like(self.reference)
+        np.add.at(force, self.facets[used], np.repeat(part, used.sum(axis=1), axis=0))
+        return force
+
+    @property
     def wall_velocity(self) -> np.ndarray:
         """Mean velocity of the nodes while the load was measured."""
         return c.view(c.LIBRARY.rivage_solid_wall_velocity(self.handle), self.reference.shape)
