@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of the plate: its swing after the release beside the acoustic curve, and how it settles."""
+"""Pictures of the plate: its swing after the release beside the acoustic curves, and how it settles."""
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "tools"))
 
-from figure_style import FLUID, REFERENCE, SOLID, draw, plt  # noqa: E402
+from figure_style import FLUID, REFERENCE, SOLID, TOTAL, draw, plt  # noqa: E402
 from run_folder import Table  # noqa: E402
 
 STATIC = -7.05e-5                                          # [m]
@@ -17,10 +17,11 @@ def pictures(run) -> list[tuple]:
     probes = run.table("solid/probes.csv")
     if probes is None:
         return []
-    curve = Table(HERE / "reference" / "plate_transient_c0_62.64.csv")
+    beam, continuum = (Table(HERE / "reference" / f"plate_{name}_c0_62.64.csv") for name in ("transient", "continuum"))
     t, w = 1e3 * probes["t"], 1e6 * probes["middle.uy"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.2), layout="constrained")
-    left.plot(1e3 * curve["t"], 1e6 * curve["w_mid"], color=REFERENCE, linewidth=2.2, alpha=0.45, label="linear acoustics")
+    left.plot(1e3 * beam["t"], 1e6 * beam["w_mid"], color=REFERENCE, linewidth=2.2, alpha=0.45, label="linear acoustics, beam")
+    left.plot(1e3 * continuum["t"], 1e6 * continuum["w_layered"], color=TOTAL, linewidth=0.8, label="continuum, layered water")
     early = t <= 80
     draw(left, t[early], w[early], color=FLUID, label="computed")
     left.set(title="Middle of the plate after the release", xlabel="t [ms]", ylabel="w [µm]")
