@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Writes report.html into a run's folder: one self-contained page about the run.
 
-usage: report.py RUN [--case FOLDER]       (default: the folder of cases/ that has the run's name)
+usage: report.py RUN [--case FOLDER]       (default: the folder of cases/ that has the run's name, / read as _)
 
-The pictures of the case come from its plot.py: a function `pictures(run) -> list of (figure, kind, caption)`, with kind
+The pictures of the case come from its plot.py or, for a variant, from that of the case above: a function `pictures(run) -> list of (figure, kind, caption)`, with kind
 "svg" or "png". Everything else is the same for every case.
 """
 import argparse
@@ -27,8 +27,8 @@ INTERFACE_NOTE = "The work of both sides should be opposite: what differs is mad
 
 def case_pictures(run: RunFolder, case: Path) -> list[str]:
     """What the case's own plot.py draws; a case without one shows its probes."""
-    path = case / "plot.py"
-    if not path.exists():
+    path = next((folder / "plot.py" for folder in (case, case.parent) if (folder / "plot.py").exists()), None)
+    if path is None:
         figures = [(probe_figure(run, side), "svg", "") for side in run.sides()]
     else:
         spec = importlib.util.spec_from_file_location(f"plot_{case.name}", path)
@@ -74,6 +74,12 @@ def write_report(folder: Path, case: Path) -> Path:
     return path
 
 
+def case_of(folder: Path) -> Path:
+    """The case that a run's folder is named after."""
+    names = {str(path.relative_to(CASES)).replace("/", "_"): path for path in CASES.rglob("*/")}
+    return names.get(folder.name, CASES / folder.name)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("run", type=Path)
@@ -83,7 +89,7 @@ def main() -> int:
         print(f"{arguments.run}: there is no such folder", file=sys.stderr)
         return 2
     folder = arguments.run.resolve()
-    print(f"report: {write_report(folder, (arguments.case or CASES / folder.name).resolve())}")
+    print(f"report: {write_report(folder, (arguments.case or case_of(folder)).resolve())}")
     return 0
 
 

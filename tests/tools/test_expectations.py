@@ -95,7 +95,7 @@ class Judgement(unittest.TestCase):
 
     def test_missing_file_is_a_miss_with_a_reason(self):
         with tempfile.TemporaryDirectory() as name:
-            findings = check(RunFolder(Path(name)), ROOT / "cases/elastic_gate")
+            findings = check(RunFolder(Path(name)), ROOT / "cases/elastic_gate/linear")
         self.assertTrue(findings)
         self.assertFalse(any(finding.passed for finding in findings))
         self.assertIn("missing", findings[0].reason)
