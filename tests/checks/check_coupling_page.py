@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Holds docs/coupling.md against the source: every error of the coupling library is in its list, every phrase of the list is in the
-source, and the example is the program that the tests build.
+"""Holds docs/coupling.md and docs/couple_your_own_solver.md against the source: every error of the coupling library, of its C interface and
+of the Python module is in their lists, every phrase of a list is in the source, and the example is the program that the tests build.
 
 usage: check_coupling_page.py [ROOT]
 """
@@ -8,9 +8,12 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("coupler_lib/coupling", "coupler_lib/recorder", "coupler_lib/session")
+# Page: the folders whose errors it lists.
+PAGES = {"docs/coupling.md": ("coupler_lib/coupling", "coupler_lib/recorder", "coupler_lib/session"),
+         "docs/couple_your_own_solver.md": ("coupler_lib/c_api", "coupler_lib/python/rivage")}
 CALL = re.compile(r"\b(?:text|require_input|require|Error|refuse)\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
+RAISED = re.compile(r"""raise (?:Error|ValueError|TypeError)\((?:\d, )?f?("(?:[^"]*)"|'(?:[^']*)')""")
 PARTS = ("(packet …", "(rank …) has")    # pieces of messages, not messages
 LEAST_WORDS = 4
 
@@ -40,23 +43,33 @@ def documented(page: str) -> list[str]:
     return [phrase for row in rows for phrase in re.findall(r"`([^`]+)`", row[2])]
 
 
-def faults(root: Path) -> list[str]:
-    page = (root / "docs" / "coupling.md").read_text(encoding="utf-8")
-    phrases = documented(page)
-    files = [file for folder in FOLDERS for file in sorted((root / folder).glob("*.[ch]pp"))]
+def messages(file: Path) -> list[str]:
+    """What the file may say; … stands for what is filled in."""
+    source = file.read_text(encoding="utf-8")
+    if file.suffix == ".py":
+        return [re.sub(r"{[^}]*}", "…", text[1:-1]) for text in RAISED.findall(source)]
+    return [message(arguments) for arguments in calls(source)]
+
+
+def page_faults(root: Path, name: str, folders: tuple[str, ...]) -> list[str]:
+    phrases = documented((root / name).read_text(encoding="utf-8"))
+    files = [file for folder in folders for file in sorted((root / folder).glob("*.*")) if file.suffix in (".cpp", ".hpp", ".py")]
     found, everything = [], ""
     for file in files:
-        source = file.read_text(encoding="utf-8")
-        everything += message(source)
-        for arguments in calls(source):
-            text = message(arguments)
+        everything += message(file.read_text(encoding="utf-8")) if file.suffix != ".py" else ""
+        for text in messages(file):
+            everything += text
             if len(re.findall(r"[a-z]{2,}", text)) < LEAST_WORDS or any(part in text for part in PARTS):
                 continue
             if not any(phrase in text for phrase in phrases):
-                found.append(f"{file.relative_to(root)}: the page lacks the error '{text}'")
-    found += [f"docs/coupling.md: no source says '{phrase}'" for phrase in phrases if phrase not in everything]
+                found.append(f"{file.relative_to(root)}: {name} lacks the error '{text}'")
+    return found + [f"{name}: no source says '{phrase}'" for phrase in phrases if phrase not in everything]
+
+
+def faults(root: Path) -> list[str]:
+    found = [fault for name, folders in PAGES.items() for fault in page_faults(root, name, folders)]
     example = (root / "tests" / "coupled" / "own_solid.cpp").read_text(encoding="utf-8")
-    if example[example.index("#include"):] not in page:
+    if example[example.index("#include"):] not in (root / "docs" / "coupling.md").read_text(encoding="utf-8"):
         found.append("docs/coupling.md: the example is not tests/coupled/own_solid.cpp")
     return found
 
@@ -64,7 +77,7 @@ def faults(root: Path) -> list[str]:
 def main() -> int:
     root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
     found = faults(root)
-    print("\n".join(found) or "docs/coupling.md: every error is there")
+    print("\n".join(found) or "both pages: every error is there")
     return 1 if found else 0
 
 
