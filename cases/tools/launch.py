@@ -29,10 +29,9 @@ def mpirun_line(case: Path, programs: Path, out: Path, ranks: tuple[int, int], s
     starters = participants(case)
     counts = [ranks[0] if starter.role == "fluid" else ranks[1] for starter in starters]
     line = ["mpirun", *(CROWDED if sum(counts) > cores else [])]
-    if any(starter.is_python for starter in starters):
-        line += ["-x", f"PYTHONPATH={programs.parent.resolve() / 'python'}"]
+    path = ["-x", f"PYTHONPATH={programs.parent.resolve() / 'python'}"]      # mpirun gives it to one segment alone
     for index, (starter, count) in enumerate(zip(starters, counts)):
-        line += [":"] * (index > 0) + ["-n", str(count), *starter.words(programs)]
+        line += [":"] * (index > 0) + ["-n", str(count), *(path if starter.is_from_outside else []), *starter.words(programs)]
         line += ["--as", starter.role, "--out", str(out), *overrides]
     return line
 

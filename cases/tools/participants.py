@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a case starts.
 
-A case with coupling.toml starts the programs of its [participants]: an executable of the build, a Python script
-("gate.py", beside coupling.toml) or a Python module ("rivage.fake_solid"). One without starts the solver whose own
+A case with coupling.toml starts the programs of its [participants]: an executable of the build, one of the user's own ("./plate"), a
+Python script ("gate.py"), both beside coupling.toml, or a Python module ("rivage.fake_solid"). One without starts the solver whose own
 file it holds (fluid.toml: sph_solver, solid.toml: fem_solver).
 """
 import tomllib
@@ -21,15 +21,18 @@ class Starter:
     arguments: list[str] = field(default_factory=list)
 
     @property
-    def is_python(self) -> bool:
-        return "." in self.program
+    def is_from_outside(self) -> bool:
+        return "." in self.program or "/" in self.program
 
     def words(self, programs: Path) -> list[str]:
         """The command up to --as; `programs` is the folder of the executables."""
+        beside = str(self.file.parent / self.program)
         if self.program.endswith(".py"):
-            first = [PYTHON, str(self.file.parent / self.program)]
+            first = [PYTHON, beside]
+        elif "/" in self.program:
+            first = [beside]
         else:
-            first = [PYTHON, "-m", self.program] if self.is_python else [str(programs / self.program)]
+            first = [PYTHON, "-m", self.program] if "." in self.program else [str(programs / self.program)]
         return [*first, str(self.file), *self.arguments]
 
 

@@ -89,7 +89,12 @@ def main() -> int:
         print(f"{arguments.run}: there is no such folder", file=sys.stderr)
         return 2
     folder = arguments.run.resolve()
-    print(f"report: {write_report(folder, (arguments.case or case_of(folder)).resolve())}")
+    case = (arguments.case or case_of(folder)).resolve()
+    print(f"report: {write_report(folder, case)}")
+    judged = [finding for finding in check(RunFolder(folder), case) if finding.judged]
+    missed = [finding.entry["quantity"] for finding in judged if not finding.passed]
+    if judged:
+        print(f"expected: {len(judged) - len(missed)} of {len(judged)} hold" + "".join(f"\n  missed: {name}" for name in missed))
     return 0
 
 

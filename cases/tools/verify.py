@@ -23,7 +23,7 @@ from expectations import Finding, check, is_meant
 from launch import run as launch, run_tests as launch_tests
 from run_folder import RunFolder
 from verify_page import write_page
-from verify_plan import PlannedRun, find_cases, group_of, plan, title
+from verify_plan import CASES, PlannedRun, find_cases, group_of, plan, title
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -126,7 +126,7 @@ def main() -> int:
         records += verify_case(folder, chosen, arguments)
         if arguments.json:
             arguments.json.write_text("".join(json.dumps(record) + "\n" for record in records), encoding="utf-8")
-        if not (arguments.keep_page or arguments.test or arguments.names):
+        if not (arguments.keep_page or arguments.test or arguments.names) and folder.is_relative_to(CASES):
             write_page(ROOT / "docs", records)
     if not records:
         print("verify: nothing is expected of these runs", file=sys.stderr)

@@ -20,6 +20,7 @@ struct rivage_participant {
     {}
     coupler::Participant member;
     coupler::CouplingConfig config;
+    std::string output_dir; ///< of --out
 };
 
 struct rivage_solid {

@@ -9,12 +9,35 @@ namespace {
 thread_local std::string last_error;
 std::unique_ptr<MpiSession> mpi; ///< where rivage_mpi_start made MPI_Init
 
-/// "key=value" in two.
-std::pair<std::string, std::string> override_of(const std::string& text)
+/// What follows the file in the command line of a program from outside.
+struct Arguments {
+    std::string role, output_dir;
+    std::vector<std::pair<std::string, std::string>> overrides;
+
+    void add_override(const std::string& text)
+    {
+        const std::size_t equals = text.find('=');
+        base::require_input(equals != std::string::npos && text[0] != '-', "'", text,
+                            "' is no argument: KEY=VALUE, --set KEY=VALUE, --as ROLE and --out FOLDER are known");
+        overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+};
+
+Arguments read_arguments(const std::vector<std::string>& words)
 {
-    const std::size_t equals = text.find('=');
-    base::require_input(equals != std::string::npos, "the override '", text, "' is not KEY=VALUE");
-    return {text.substr(0, equals), text.substr(equals + 1)};
+    Arguments found;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const std::string& word = words[k];
+        const bool option = word == "--set" || word == "--as" || word == "--out";
+        base::require_input(!option || k + 1 < words.size(), "a value is missing after '", word, "'");
+        if (word == "--as")
+            found.role = words[++k];
+        else if (word == "--out")
+            found.output_dir = words[++k];
+        else
+            found.add_override(option ? words[++k] : word);
+    }
+    return found;
 }
 
 ParticipantSettings settings_of(MPI_Comm world, const std::string& role, const std::string& file,
@@ -34,21 +57,26 @@ ParticipantSettings settings_of(MPI_Comm world, const std::string& role, const s
 }
 
 /// Reads the files and joins; a file that cannot be used ends all ranks with its message.
-rivage_participant* join(MPI_Comm world, const std::string& role, const std::string& file,
-                         const std::vector<std::pair<std::string, std::string>>& overrides)
+rivage_participant* join(MPI_Comm world, std::string role, const std::string& file,
+                         const std::vector<std::string>& words)
 {
     SharedFile shared;
+    Arguments arguments;
     ParticipantSettings settings;
     settings.world = world;
     settings.role = role;
     try {
-        shared = read_shared_file(file, role, overrides);
+        arguments = read_arguments(words);
+        if (!arguments.role.empty()) role = arguments.role;
+        shared = read_shared_file(file, role, arguments.overrides);
         settings = settings_of(world, role, file, shared);
     } catch (const base::Error& error) {
         settings.failure = error.what();
         settings.failure_code = error.code();
     }
-    return new rivage_participant(settings, shared.config);
+    auto* joined = new rivage_participant(settings, shared.config);
+    joined->output_dir = arguments.output_dir;
+    return joined;
 }
 
 } // namespace
@@ -89,13 +117,11 @@ int rivage_mpi_end(void)
 
 int rivage_world(void) { return MPI_Comm_c2f(MPI_COMM_WORLD); }
 
-int rivage_join(int world, const char* role, const char* coupling_file, const char* const* overrides,
-                int override_count, rivage_participant** participant)
+int rivage_join(int world, const char* role, const char* coupling_file, const char* const* arguments,
+                int argument_count, rivage_participant** participant)
 {
     return c_api::guarded([&] {
-        std::vector<std::pair<std::string, std::string>> all;
-        for (int k = 0; k < override_count; ++k) all.push_back(c_api::override_of(overrides[k]));
-        *participant = c_api::join(MPI_Comm_f2c(world), role, coupling_file, all);
+        *participant = c_api::join(MPI_Comm_f2c(world), role, coupling_file, {arguments, arguments + argument_count});
     });
 }
 
@@ -116,6 +142,8 @@ void rivage_fail(rivage_participant* participant, int code, const char* message)
 }
 
 int rivage_comm(const rivage_participant* participant) { return MPI_Comm_c2f(participant->member.comm().handle()); }
+const char* rivage_role(const rivage_participant* participant) { return participant->member.role().c_str(); }
+const char* rivage_output_dir(const rivage_participant* participant) { return participant->output_dir.c_str(); }
 int rivage_rank(const rivage_participant* participant) { return participant->member.comm().rank(); }
 int rivage_size(const rivage_participant* participant) { return participant->member.comm().size(); }
 double rivage_end_time(const rivage_participant* participant) { return participant->config.time.end; }

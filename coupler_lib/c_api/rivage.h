@@ -55,10 +55,11 @@ int rivage_mpi_start(const char* role, double timeout);
 int rivage_mpi_end(void);
 
 /* Joins the run. Collective over `world`, a communicator as MPI_Comm_c2f gives it; rivage_world() is MPI_COMM_WORLD's.
- * coupling_file: the shared coupling.toml. overrides: "coupling.time.end=0.1", ..., the same as the partners'. A process may
- * be in several runs, each over a communicator of its own. */
-int rivage_join(int world, const char* role, const char* coupling_file, const char* const* overrides,
-                int override_count, rivage_participant** participant);
+ * coupling_file: the shared coupling.toml. arguments: the words that follow it in the command line, "coupling.time.end=0.1" or
+ * "--set", "coupling.time.end=0.1" for overrides, which must be the partners'; "--as", "ROLE" in the place of `role`; "--out", "FOLDER".
+ * A process may be in several runs, each over a communicator of its own. */
+int rivage_join(int world, const char* role, const char* coupling_file, const char* const* arguments,
+                int argument_count, rivage_participant** participant);
 int rivage_world(void);
 /* The end in order: says farewell, waits for the partners', frees the participant (its interfaces must be closed). */
 int rivage_leave(rivage_participant* participant);
@@ -66,6 +67,8 @@ int rivage_leave(rivage_participant* participant);
 void rivage_fail(rivage_participant* participant, int code, const char* message);
 
 int rivage_comm(const rivage_participant* participant); /* of the ranks of this role, for MPI_Comm_f2c */
+const char* rivage_role(const rivage_participant* participant);
+const char* rivage_output_dir(const rivage_participant* participant); /* of --out; empty: not given */
 int rivage_rank(const rivage_participant* participant);
 int rivage_size(const rivage_participant* participant);
 double rivage_end_time(const rivage_participant* participant);       /* [s], coupling.time.end */

@@ -35,7 +35,8 @@ public:
     int comm() const { return rivage_comm(handle_); } ///< of the ranks of this role, for MPI_Comm_f2c
     int rank() const { return rivage_rank(handle_); }
     int size() const { return rivage_size(handle_); }
-    double end_time() const { return rivage_end_time(handle_); } ///< [s]
+    std::string output_dir() const { return rivage_output_dir(handle_); } ///< of --out; empty: not given
+    double end_time() const { return rivage_end_time(handle_); }          ///< [s]
     /// Whether the solid steps after the fluid, with the load of the same step.
     bool serial() const { return rivage_is_serial(handle_) != 0; }
 
@@ -114,13 +115,13 @@ template<class Body> int play(rivage_participant* handle, Body&& body)
 
 /// Starts MPI where it does not run, joins the run of `coupling_file` in `role`, calls body(const Participant&), leaves. An exception
 /// ends every rank of every participant with its message. Returns the exit code.
-/// \param overrides "coupling.time.end=0.1", ..., the same as the partners'
+/// \param arguments the words that follow the file in the command line, as rivage_join takes them
 template<class Body>
-int run(const std::string& role, const std::string& coupling_file, const std::vector<std::string>& overrides,
+int run(const std::string& role, const std::string& coupling_file, const std::vector<std::string>& arguments,
         Body&& body)
 {
     std::vector<const char*> texts;
-    for (const std::string& text : overrides) texts.push_back(text.c_str());
+    for (const std::string& text : arguments) texts.push_back(text.c_str());
     rivage_participant* handle = nullptr;
     int code = rivage_mpi_start(role.c_str(), 30);
     if (code == RIVAGE_OK)

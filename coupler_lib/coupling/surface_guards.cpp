@@ -187,7 +187,7 @@ void check_surface(const WetSurface& surface, const std::string& who)
         for (int k = 0; k < corners; ++k)
             base::require_input(static_cast<std::size_t>(list[static_cast<std::size_t>(k)]) < nodes, who,
                                 ": wet facet ", surface.facet_ids[facet], " uses local node ",
-                                list[static_cast<std::size_t>(k)], " of ", nodes);
+                                list[static_cast<std::size_t>(k)], " of ", nodes, "; they count from 0");
         base::require_input(facet_measure(list, surface.reference, dimension) > 0, who, ": wet facet ",
                             surface.facet_ids[facet], " has no extent");
     }

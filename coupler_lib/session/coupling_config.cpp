@@ -15,12 +15,12 @@ base::Table<ParticipantConfig> participant_table()
 {
     return base::Table<ParticipantConfig>("a program that takes part, under the name of its role")
         .key("program", &ParticipantConfig::program,
-             {.doc = "what plays this role: an executable of the build, a Python script (\"gate.py\", relative to this "
-                     "file) or a Python module (\"rivage.fake_solid\")",
+             {.doc = "what plays this role: an executable of the build or of your own (\"./plate\"), a Python script "
+                     "(\"gate.py\"), both relative to this file, or a Python module (\"rivage.fake_solid\")",
               .required = true})
         .key("file", &ParticipantConfig::file,
              {.doc = "its own configuration, relative to this file; sph_solver and fem_solver need one"})
-        .key("arguments", &ParticipantConfig::arguments, {.doc = "of a Python program, before --as, --out and --set"});
+        .key("arguments", &ParticipantConfig::arguments, {.doc = "the program's own, before --as, --out and --set"});
 }
 
 base::Table<RunTimeConfig> time_table()
@@ -137,11 +137,9 @@ void check_interfaces(const CouplingConfig& config, const base::ConfigReader& re
 
 std::string ParticipantConfig::command(const std::string& role, const std::string& shared_file) const
 {
-    std::string line = program;
-    if (program.ends_with(".py"))
-        line = "/usr/bin/python3 " + (std::filesystem::path(shared_file).parent_path() / program).string();
-    else if (is_python())
-        line = "/usr/bin/python3 -m " + program;
+    const std::string beside = (std::filesystem::path(shared_file).parent_path() / program).string();
+    std::string line = is_script() ? "/usr/bin/python3 " + beside : is_path() ? beside : program;
+    if (is_module()) line = "/usr/bin/python3 -m " + program;
     line += " " + shared_file;
     for (const std::string& argument : arguments) line += " " + argument;
     return line + " --as " + role;

@@ -16,8 +16,11 @@ struct ParticipantConfig {
     std::string program, file;
     std::vector<std::string> arguments;
 
-    /// Whether /usr/bin/python3 plays the role: a script "name.py", or a module with a dot in its name.
-    bool is_python() const { return program.find('.') != std::string::npos; }
+    bool is_script() const { return program.ends_with(".py"); }
+    /// An executable beside the shared file, "./plate"; a name alone is one of the build.
+    bool is_path() const { return !is_script() && program.find('/') != std::string::npos; }
+    /// A Python module, "rivage.fake_solid".
+    bool is_module() const { return !is_script() && !is_path() && program.find('.') != std::string::npos; }
     /// As one would type it, without the overrides. \param shared_file path of coupling.toml
     std::string command(const std::string& role, const std::string& shared_file) const;
 };

@@ -13,7 +13,7 @@ PAGES = {"docs/coupling.md": ("coupler_lib/coupling", "coupler_lib/recorder", "c
          "docs/couple_your_own_solver.md": ("coupler_lib/c_api", "coupler_lib/python/rivage")}
 CALL = re.compile(r"\b(?:text|require_input|require|Error|refuse)\(")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
-RAISED = re.compile(r"""raise (?:Error|ValueError|TypeError)\((?:\d, )?f?("(?:[^"]*)"|'(?:[^']*)')""")
+RAISED = re.compile(r"""(?:raise (?:Runtime|Value|Type)?Error|self\.fail)\((?:\d, )?f?("(?:[^"]*)"|'(?:[^']*)')""")
 PARTS = ("(packet …", "(rank …) has")    # pieces of messages, not messages
 LEAST_WORDS = 4
 

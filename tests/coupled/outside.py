@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from coupled_run import ROOT
+from coupled_run import ROOT, run
 from outside_test import ARGUMENTS, CASE, OutsideTest, main
 
 C_EXAMPLE = ROOT / "coupler_lib" / "c_api" / "spring_plate.c"
 CPP_EXAMPLE = C_EXAMPLE.with_suffix(".cpp")
-PYTHON_EXAMPLE = ROOT / "coupler_lib" / "python" / "examples" / "spring_plate.py"
+PLATE = ROOT / "coupler_lib" / "python" / "examples" / "plate"
+PYTHON_EXAMPLE = PLATE / "spring_plate.py"
 # A constant pressure of 1000 Pa on a metre, m = 100 kg, k = 1e6 N/m: u = -1 mm (1 - cos 100 t), small steps.
 SETTINGS = ["fluid.fluid.radiating=false", "fluid.fluid.dt=1e-5", "coupling.time.end=0.03", "coupling.coupling.acceleration=nodal"]
 EXACT = -1e-3 * (1 - np.cos(100 * 0.03))
@@ -105,19 +106,53 @@ class Outside(OutsideTest):
         for example, begin in ((PYTHON_EXAMPLE, "import sys"), (CPP_EXAMPLE, "#include")):
             text = example.read_text(encoding="utf-8")
             self.assertIn(text[text.index(begin):], page)
+        self.assertIn((PLATE / "coupling.toml").read_text(encoding="utf-8"), page)
 
     def test_the_python_example(self) -> None:
         self.assert_swings(self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), *SETTINGS]))
 
+    def test_the_python_example_as_a_case(self) -> None:
+        self.assertEqual(run(PLATE, ARGUMENTS.build / "bin", self.folder / "out"), 0)
+        for name, column, wanted in (("solid/probes.csv", 1, EXACT), ("coupling/interface.csv", None, 0.0)):
+            rows = [line.split(",") for line in (self.folder / "out" / name).read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+            names = [cell.split("[")[0] for cell in rows[0]]
+            last = dict(zip(names, map(float, rows[-1])))
+            found = last[names[column]] if column else last["work_on_fluid"] + last["work_on_solid"]
+            self.assertAlmostEqual(found, wanted, delta=0.003 * abs(EXACT))
+
+    def test_words_of_the_command_line(self) -> None:
+        done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), "--as", "solid", "--out", str(self.folder / "o"),
+                                          *(word for setting in SETTINGS for word in ("--set", setting))])
+        self.assert_swings(done)
+        self.assertTrue((self.folder / "o/solid/probes.csv").exists())
+        for words, text in ((["--ass", "solid"], "'--ass' is no argument"), (["--as"], "a value is missing after '--as'"), (["end"], "'end' is no argument")):
+            done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", str(PYTHON_EXAMPLE), str(CASE), *SETTINGS, *words])
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(text, done.stdout)
+
+    def test_a_solver_that_forgets_something(self) -> None:
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
+        begin = text.index("        wet.send("), text.index("        tables.write(")
+        silent = text[:begin[0]] + "        pass\n" + text[begin[1]:]
+        bare = text.replace("with rivage.Participant(\"solid\", sys.argv[1], sys.argv[2:]) as me:", "me = rivage.Participant(\"solid\", sys.argv[1], sys.argv[2:])\nif me:")
+        early = bare.replace("        a = (force", "        if window.step == 3: sys.exit()\n        a = (force")
+        averaged = ['coupling.interface.load="averaged"']
+        for script, more, code, words in ((silent, [], 3, "window -1 was not answered"), (bare, [], 0, "plate: u ="), (early, [], 3, "ended before the run did"),
+                                          (text, averaged, 3, 'interface.load is "averaged"')):
+            with self.subTest(words):
+                done = self.mpirun(self.fluid(*more), ["-n", "1", "/usr/bin/python3", self.script(script), str(CASE), *SETTINGS, *more])
+                self.assertEqual(done.returncode, code, done.stdout)
+                self.assertIn(words, done.stdout)
+
     def test_an_exception_in_python_ends_all_with_its_message(self) -> None:
-        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (wet", "1 / (2 - window.step); a = (wet")
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (force", "1 / (2 - window.step); a = (force")
         done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text), str(CASE), *SETTINGS])
         self.assertEqual(done.returncode, 3, done.stdout)
-        self.assertIn("ZeroDivisionError: division by zero", done.stdout)
+        self.assertIn("ZeroDivisionError: division by zero (solver.py, line ", done.stdout)
         self.assertEqual(done.stdout.count("rivage: "), 1, done.stdout)
 
     def test_leaving_by_sys_exit_ends_all_too(self) -> None:
-        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (wet", "sys.exit(1) if window.step == 2 else 0; a = (wet")
+        text = PYTHON_EXAMPLE.read_text(encoding="utf-8").replace("a = (force", "sys.exit(1) if window.step == 2 else 0; a = (force")
         done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text), str(CASE), *SETTINGS])
         self.assertEqual(done.returncode, 3, done.stdout)
         self.assertIn("SystemExit: 1", done.stdout)
@@ -125,8 +160,8 @@ class Outside(OutsideTest):
     def test_wrong_arrays_are_named(self) -> None:
         text = PYTHON_EXAMPLE.read_text(encoding="utf-8")
         for good, bad, words in (("vertical(v), vertical(a),", "vertical(v)[0], vertical(a),", "velocity has the shape (2,)"),
-                                 ("kinetic=", "kinetik=", "'kinetik' is no field of a report"),
-                                 ("vertical(a), k", "vertical(a * np.nan), k", "is not a number")):
+                                 ('"kinetic":', '"kinetik":', "'kinetik' is no field of a report"),
+                                 ("vertical(a), **", "vertical(a * np.nan), **", "is not a number")):
             done = self.mpirun(self.fluid(), ["-n", "1", "/usr/bin/python3", self.script(text.replace(good, bad)), str(CASE), *SETTINGS])
             self.assertIn(words, done.stdout)
             self.assertNotEqual(done.returncode, 0)

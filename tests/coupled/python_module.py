@@ -61,8 +61,8 @@ class Normals(unittest.TestCase):
 class Tables(InFolder):
     def rows(self, interval: float) -> list[str]:
         """Of probes.csv, after ten windows of 0.03 s."""
-        me = types.SimpleNamespace(role="gate", table_interval=interval)
-        tables = rivage.SolidTables(me, self.folder, ["tip.ux[m]"])
+        me = types.SimpleNamespace(role="gate", table_interval=interval, out=self.folder)
+        tables = rivage.SolidTables(me, ["tip.ux[m]"])
         for step in range(-1, 10):
             tables.write(rivage.Window(step, 0.03 * max(step, 0), 0.03, step == 9), [step], kinetic=2.0, work=3.0)
         return (self.folder / "gate/probes.csv").read_text(encoding="utf-8").splitlines()
@@ -78,7 +78,7 @@ class Tables(InFolder):
         self.assertEqual(len(self.rows(0.0)), 11)
 
     def test_nothing_without_a_folder(self) -> None:
-        rivage.SolidTables(types.SimpleNamespace(role="gate", table_interval=0.1), None, []).write(rivage.Window(0, 0, 1), [])
+        rivage.SolidTables(types.SimpleNamespace(role="gate", table_interval=0.1, out=None), []).write(rivage.Window(0, 0, 1), [])
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

@@ -33,13 +33,14 @@ class Launch(unittest.TestCase):
     def test_a_module_and_a_program(self):
         shared, end = str(self.case / "coupling.toml"), ["--out", "out", "--set", "coupling.time.end=1"]
         self.assertEqual(self.line(SHARED.format(solid="fem_solver")), [
-            "mpirun", "-x", "PYTHONPATH=/build/python", "-n", "1", "/usr/bin/python3", "-m", "rivage.fake_fluid", shared, "constant",
+            "mpirun", "-n", "1", "-x", "PYTHONPATH=/build/python", "/usr/bin/python3", "-m", "rivage.fake_fluid", shared, "constant",
             "--pressure", "1000", "--as", "fluid", *end, ":", "-n", "1", "/build/bin/fem_solver", shared, "--as", "solid", *end])
 
-    def test_a_script_lies_beside_the_file(self):
-        line = self.line(SHARED.format(solid="gate.py"))
-        self.assertIn(str(self.case / "gate.py"), line)
-        self.assertNotIn("-m", line[line.index(":"):])
+    def test_a_script_and_an_executable_lie_beside_the_file(self):
+        for program, before in (("gate.py", "/usr/bin/python3"), ("./plate", "PYTHONPATH=/build/python")):
+            line = self.line(SHARED.format(solid=program))
+            self.assertEqual(line[line.index(str(self.case / program)) - 1], before)
+            self.assertNotIn("-m", line[line.index(":"):])
 
     def test_a_solver_alone_on_crowded_cores(self):
         line = self.line("", ranks=(3, 1), name="fluid.toml")

@@ -3,7 +3,7 @@
 
 The gate is that of fem_solver, read from its own solid.toml; elements, assembly and factorisation are GetFEM's and scipy's.
 """
-import argparse
+import sys
 
 import numpy as np
 import scipy.sparse as sparse
@@ -52,7 +52,7 @@ class WetFaces:
 class Gate:
     """The solid's side of the exchange."""
 
-    def __init__(self, me: rivage.Participant, told: dict, out: str | None):
+    def __init__(self, me: rivage.Participant, told: dict):
         self.share = me.impedance_share
         self.body = make_rubber(told)
         low, high = told["mesh"]["low"], told["mesh"]["high"]
@@ -61,7 +61,7 @@ class Gate:
         self.tip = int(np.argmin(np.linalg.norm(self.body.nodes - told["probes"][0]["position"], axis=1)))
         self.told = told
         self.wet = me.solid(2, self.faces.nodes, self.faces.reference, self.faces.facets)
-        self.tables = rivage.SolidTables(me, out, ["tip.ux[m]", "tip.uy[m]"])
+        self.tables = rivage.SolidTables(me, ["tip.ux[m]", "tip.uy[m]"])
 
     def start(self) -> None:
         """At rest under the load of window 0, which gives the first acceleration."""
@@ -94,8 +94,8 @@ class Gate:
         self.tables.write(window, self.step.u[2 * self.tip:2 * self.tip + 2], **energies)
 
 
-def play(me: rivage.Participant, told: dict, out: str | None) -> None:
-    gate, dt = Gate(me, told, out), 0.0
+def play(me: rivage.Participant, told: dict) -> None:
+    gate, dt = Gate(me, told), 0.0
     for window in gate.wet.windows():
         if window.step == 0:
             gate.start()
@@ -111,17 +111,11 @@ def play(me: rivage.Participant, told: dict, out: str | None) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("file", help="coupling.toml")
-    parser.add_argument("--as", dest="role", default="solid")
-    parser.add_argument("--out")
-    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
-    arguments = parser.parse_args()
-    with rivage.Participant(arguments.role, arguments.file, arguments.set) as me:
+    with rivage.Participant("solid", sys.argv[1], sys.argv[2:]) as me:
         if me.comm.size > 1:
             raise rivage.Error(2, f"GetFEM plays the gate on one rank, but '{me.role}' has {me.comm.size}")
         try:
-            play(me, rivage.read_own_file(arguments.file, me.role, arguments.set), arguments.out)
+            play(me, rivage.read_own_file(me.file, me.role, me.arguments))
         except NotConverged as error:
             raise rivage.Error(3, f"the gate's step did not converge: {error}") from None
 

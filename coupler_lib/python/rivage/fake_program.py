@@ -20,7 +20,7 @@ def add_common(parsers: Iterable[argparse.ArgumentParser], role: str) -> None:
 
 
 def run(told: argparse.Namespace, play: Callable[[argparse.Namespace, Participant], None]) -> None:
-    with Participant(told.role, told.file, told.set) as me:
+    with Participant(told.role, told.file, [*told.set, *(["--out", told.out] if told.out else [])]) as me:
         if me.comm.size > 1:
             raise Error(2, f"the fakes in Python play on one rank, but '{told.role}' has {me.comm.size}")
         play(told, me)

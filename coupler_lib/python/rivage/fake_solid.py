@@ -115,7 +115,7 @@ def play(told: argparse.Namespace, me: Participant) -> None:
     def field(q: np.ndarray) -> np.ndarray:
         return (q @ shapes)[:, None] * normal
 
-    tables, middle, dt = SolidTables(me, told.out, ["middle.u[m]"]), shapes[:, len(share) // 2], 0.0
+    tables, middle, dt = SolidTables(me, ["middle.u[m]"]), shapes[:, len(share) // 2], 0.0
     for window in wet.windows():
         force = wet.nodal_force(reference) @ normal      # the direction as at the start
         if me.serial and window.step > 0:

@@ -36,6 +36,7 @@ FUNCTIONS = {
     "rivage_fail": (None, [c_void_p, c_int, c_char_p]),
     **{f"rivage_{name}": (c_int, [c_void_p]) for name in ("comm", "rank", "size", "is_serial", "solid_every", "stop_requested")},
     **{f"rivage_{name}": (c_double, [c_void_p]) for name in ("end_time", "table_interval", "impedance_share")},
+    **{f"rivage_{name}": (c_char_p, [c_void_p]) for name in ("role", "output_dir")},
     "rivage_request_stop": (None, [c_void_p]),
     "rivage_solid_open": (c_int, [c_void_p, c_int, c_int64, LONG, REAL, c_int64, LONG, INT, POINTER(c_void_p)]),
     "rivage_solid_receive": (c_int, [c_void_p, POINTER(CWindow)]),

@@ -8,8 +8,8 @@ from pathlib import Path
 from rivage.participant import Error
 
 
-def read_own_file(coupling_file: str | os.PathLike, role: str, overrides: Iterable[str] = ()) -> dict:
-    """The tables of that file, with the overrides "ROLE.table.key=value" applied; others are not this role's.
+def read_own_file(coupling_file: str | os.PathLike, role: str, arguments: Iterable[str] = ()) -> dict:
+    """The tables of that file, with the arguments "ROLE.table.key=value" applied; others are not this role's.
 
     Raises Error(2) where the file is not named or not readable, or an override names a key that the file does not have.
     """
@@ -19,10 +19,10 @@ def read_own_file(coupling_file: str | os.PathLike, role: str, overrides: Iterab
         raise Error(2, f'{coupling_file}: [participants.{role}] names no file = "..."')
     path = Path(coupling_file).parent / name
     tables = read(path)
-    for override in overrides:
+    for override in arguments:
         key, _, value = override.partition("=")
         if key.startswith(f"{role}."):
-            replace(tables, key.split(".")[1:], value, f"--set {override}: {path}")
+            replace(tables, key.split(".")[1:], value, f"{override}: {path}")
     return tables
 
 

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """A role of a coupled run, on this rank."""
+import atexit
 import ctypes
 import os
 import sys
+import traceback
 from collections.abc import Iterable
+from pathlib import Path
 
 from rivage import library as c
 from rivage.sides import Fluid, Solid
@@ -38,17 +41,19 @@ def start_mpi(role: str, timeout: float):
 
 
 class Participant:
-    """Joins the run of coupling.toml in a role. As a context: an exception within ends the whole run with its message.
+    """Joins the run of coupling.toml in a role. As a context: an exception within ends the whole run with its message. Without one
+    call leave() last.
 
-    world: an mpi4py communicator of all ranks of the run, MPI.COMM_WORLD by default. overrides: "coupling.time.end=0.1", ...,
-    which must be those of the partners.
+    arguments: the words that follow the file in the command line, sys.argv[2:]: "coupling.time.end=0.1" or "--set",
+    "coupling.time.end=0.1" for overrides, which must be those of the partners; "--as", "ROLE" in the place of role; "--out", "FOLDER".
+    world: an mpi4py communicator of all ranks of the run, MPI.COMM_WORLD by default.
     """
 
-    def __init__(self, role: str, coupling_file: str | os.PathLike, overrides: Iterable[str] = (), world=None,
+    def __init__(self, role: str, coupling_file: str | os.PathLike, arguments: Iterable[str] = (), world=None,
                  start_timeout: float = 30.0):
         self.mpi = start_mpi(role, start_timeout)
-        self.role = role
-        texts = [text.encode() for text in overrides]
+        self.file = Path(coupling_file)
+        texts = [text.encode() for text in arguments]
         handle = ctypes.c_void_p()
         world = world if world is not None else self.mpi.COMM_WORLD
         try:
@@ -58,7 +63,11 @@ class Participant:
             self.mpi.Finalize()
             raise SystemExit(error.code) from None
         self.handle = handle
+        self.arguments = [text.decode() for text in texts]
+        self.role: str = c.LIBRARY.rivage_role(handle).decode()
+        self.out: str | None = c.LIBRARY.rivage_output_dir(handle).decode() or None
         self.sides: list[Solid | Fluid] = []
+        atexit.register(self.end_forgotten)
 
     @property
     def comm(self):
@@ -119,6 +128,12 @@ class Participant:
             raise SystemExit(code)
         check(code)
 
+    def end_forgotten(self) -> None:
+        """At the end of a program that has not left."""
+        if self.handle is not None and not self.mpi.Is_finalized():
+            whole = self.sides and all(side.answered_last for side in self.sides)
+            self.leave() if whole else self.fail("the program ended before the run did")
+
     def __enter__(self) -> "Participant":
         return self
 
@@ -128,4 +143,5 @@ class Participant:
         elif isinstance(error, Error):
             self.fail(str(error), error.code)
         else:       # also of sys.exit and Ctrl-C: the partners must not wait for a solver that has gone
-            self.fail(f"{kind.__name__}: {error}")
+            last = traceback.extract_tb(trace)[-1]
+            self.fail(f"{kind.__name__}: {error} ({Path(last.filename).name}, line {last.lineno})")

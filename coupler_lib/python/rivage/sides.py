@@ -2,6 +2,7 @@
 """The two ends of an interface."""
 import ctypes
 import os
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -33,6 +34,16 @@ def fill(report, values: dict) -> None:
         setattr(report, name, value)
 
 
+def rows_of_nodes(facets) -> np.ndarray:
+    """As rows of four, -1 where unused. Raises TypeError where they are no rows."""
+    rows = np.full((len(facets), 4), -1, dtype=np.int32)
+    for row, nodes in zip(rows, facets):
+        if np.ndim(nodes) != 1 or not 2 <= len(nodes) <= 4:
+            raise TypeError(f"facets are rows of 2 to 4 node indices, [[0, 1], ...], not {facets!r}")
+        row[:len(nodes)] = nodes
+    return rows
+
+
 class Solid:
     """The solid's end. After `receive`: force [nodes, dimension] or pressure [facets], impedance rho c [kg/(m^2 s)],
     wall_velocity [nodes, dimension], fluid_report."""
@@ -41,35 +52,46 @@ class Solid:
         self.participant, self.check = participant, check
         ids = np.ascontiguousarray(node_ids, dtype=np.int64)
         self.reference = c.as_array(reference, np.float64, (len(ids), dimension), "reference").copy()
-        corners = np.full((len(facets), 4), -1, dtype=np.int32)
-        for row, nodes in zip(corners, facets):
-            row[:len(nodes)] = nodes
+        corners = rows_of_nodes(facets)
         numbers = c.as_array(np.arange(len(facets)) if facet_ids is None else facet_ids, np.int64, (len(facets),), "facet_ids")
         self.facets = corners
+        self.window, self.answered, self.predicted = Window(-1, 0, 0), True, False
         self.handle = ctypes.c_void_p()
         check(c.LIBRARY.rivage_solid_open(participant.handle, dimension, len(ids), c.pointer(ids, c.LONG), c.pointer(self.reference),
                                           len(facets), c.pointer(numbers, c.LONG), c.pointer(corners, c.INT),
                                           ctypes.byref(self.handle)))
 
     def receive(self) -> Window:
-        """Waits for the fluid's packet."""
+        """Waits for the fluid's packet. Raises RuntimeError where the last one was not answered."""
+        if not self.answered:
+            raise RuntimeError(f"window {self.window.step} was not answered: call send once in each")
         window = c.CWindow()
         self.check(c.LIBRARY.rivage_solid_receive(self.handle, ctypes.byref(window)))
-        return Window(window.step, window.time, window.dt, bool(window.last), bool(window.stop_requested))
+        self.window = Window(window.step, window.time, window.dt, bool(window.last), bool(window.stop_requested))
+        self.answered = False
+        return self.window
+
+    @property
+    def answered_last(self) -> bool:
+        return self.window.last and self.answered
 
     def windows(self) -> Iterator[Window]:
         """Receives until the last window; answer each with one `send`."""
-        window = Window(-1, 0, 0)
-        while not window.last:
-            window = self.receive()
-            yield window
+        while not self.answered_last:
+            yield self.receive()
 
     @property
     def force(self) -> np.ndarray:
+        """On the nodes. Raises RuntimeError where the load is averaged."""
+        if self.is_averaged:
+            raise RuntimeError('interface.load is "averaged": the load is in `pressure`, `nodal_force` makes forces of it')
         return c.view(c.LIBRARY.rivage_solid_force(self.handle), self.reference.shape)
 
     @property
     def pressure(self) -> np.ndarray:
+        """Of the facets. Raises RuntimeError where the load is conservative."""
+        if c.LIBRARY.rivage_solid_force(self.handle):
+            raise RuntimeError('interface.load is "conservative": the load is in `force`')
         return c.view(c.LIBRARY.rivage_solid_pressure(self.handle), (len(self.facets),))
 
     @property
@@ -114,15 +136,20 @@ class Solid:
     def predict(self, velocity, dt: float) -> None:
         """What coupling.scheme makes of the load for a step of dt, in place; once for each step, with the velocity at its start."""
         array = c.as_array(velocity, np.float64, self.reference.shape, "velocity")
+        self.predicted = True
         self.check(c.LIBRARY.rivage_solid_predict(self.handle, c.pointer(array), dt))
 
     def send(self, position, velocity, acceleration, **report) -> None:
         """Answers the last receive, each array [nodes, dimension]. report: fields of SolidReport, e.g. work, kinetic, strain."""
+        if self.window.step == 1 and not self.predicted and self.participant.impedance_share > 0:
+            print(f"{self.participant.role}: warning: this solid takes the load as it comes, though coupling.scheme = \"parallel_impedance\": it "
+                  "runs as \"parallel\", which is stable while rho c dt / (mass per wet area) stays well below 1", file=sys.stderr, flush=True)
         arrays = [c.as_array(values, np.float64, self.reference.shape, name)
                   for name, values in (("position", position), ("velocity", velocity), ("acceleration", acceleration))]
         told = c.SolidReport()
         fill(told, report)
         self.check(c.LIBRARY.rivage_solid_send(self.handle, *map(c.pointer, arrays), ctypes.byref(told)))
+        self.answered = True
 
     def close(self) -> None:
         if self.handle:
@@ -137,6 +164,7 @@ class Fluid:
     def __init__(self, participant, check, dimension: int, impedance: float, partner: str | None, pressure_limit: float,
                  output_dir: str | os.PathLike | None):
         self.participant, self.check, self.dimension = participant, check, dimension
+        self.answered_last = False
         self.handle = ctypes.c_void_p()
         check(c.LIBRARY.rivage_fluid_open(participant.handle, partner.encode() if partner else None, dimension, impedance,
                                           pressure_limit, os.fsencode(output_dir) if output_dir else None, ctypes.byref(self.handle)))
@@ -190,6 +218,7 @@ class Fluid:
                   zip(names, shapes, (corner_force, weight, weighted_pressure, full_weight))]
         told, sent = c.FluidReport(), c.CWindow(window.step, window.time, window.dt, window.last, window.stop_requested)
         fill(told, report)
+        self.sent_last = window.last
         self.check(c.LIBRARY.rivage_fluid_send(self.handle, ctypes.byref(sent), c.pointer(low_high[0]), c.pointer(low_high[1]),
                                                *map(c.pointer, arrays), ctypes.byref(told)))
 
@@ -197,6 +226,7 @@ class Fluid:
         """Waits for the solid's answer; returns its report."""
         report = c.SolidReport()
         self.check(c.LIBRARY.rivage_fluid_receive(self.handle, ctypes.byref(report)))
+        self.answered_last = self.sent_last
         return report
 
     def close(self) -> None:

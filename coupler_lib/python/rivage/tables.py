@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables that a solid leaves beside those of the coupling, in the columns that Rivage's report reads."""
 import math
-import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -28,13 +27,13 @@ class Table:
 class SolidTables:
     """OUT/ROLE/probes.csv with the columns given ("tip.ux[m]"), OUT/ROLE/energy.csv; a row every coupling.output.table_interval.
 
-    Made by one rank; of none where out is None.
+    OUT is that of --out; without it nothing is written. Made by one rank.
     """
 
-    def __init__(self, me: Participant, out: str | os.PathLike | None, probes: Iterable[str], unit: str = "J/m"):
+    def __init__(self, me: Participant, probes: Iterable[str], unit: str = "J/m"):
         self.interval, self.due, self.tables = me.table_interval, 0.0, []
-        if out is not None:
-            folder = Path(out) / me.role
+        if me.out is not None:
+            folder = Path(me.out) / me.role
             self.tables = [Table(folder / "probes.csv", ["t[s]", *probes]),
                            Table(folder / "energy.csv", ["t[s]", *(f"{name}[{unit}]" for name in ENERGIES.values())])]
 
