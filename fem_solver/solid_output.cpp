@@ -60,16 +60,16 @@ void SolidOutput::open_tables(const std::string& folder)
 }
 
 void SolidOutput::write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
-                        const Eigen::VectorXd& reaction)
+                        const Eigen::VectorXd& reaction, const Eigen::VectorXd& load)
 {
-    if (row_clock_.due(now.time) || now.last) write_rows(now, motion, energies, reaction);
+    if (row_clock_.due(now.time) || now.last) write_rows(now, motion, energies, reaction, load);
     if (field_clock_.due(now.time) || now.last)
         fields_.write(now.time, motion, model_.forces().body().stress(motion.displacement),
                       contact_fields(now, motion));
 }
 
 void SolidOutput::write_rows(const Instant& now, const Motion& motion, const SolidEnergies& energies,
-                             const Eigen::VectorXd& reaction)
+                             const Eigen::VectorXd& reaction, const Eigen::VectorXd& load)
 {
     const auto add_row = [&](std::optional<base::CsvWriter>& table, std::vector<double> row) {
         if (!table) return;
@@ -78,7 +78,7 @@ void SolidOutput::write_rows(const Instant& now, const Motion& motion, const Sol
         table->flush();
     };
     if (energy_table_) energy_table_->write(now.time, now.dt, energies);
-    add_row(probe_table_, probes_.values(motion));
+    add_row(probe_table_, probes_.values(motion, load));
     add_row(reaction_table_, reactions(now.time, motion, reaction));
     if (!model_.contacts()) return;
     std::vector<ContactResultants> rows;

@@ -27,14 +27,14 @@ class SolidOutput {
 public:
     SolidOutput(const SolidConfig& config, coupler::Session& session, const SolidModel& model);
 
-    /// \param reaction forces of the supports, one entry per degree of freedom [N].
-    void write(const Instant& now, const Motion& motion, const SolidEnergies& energies,
-               const Eigen::VectorXd& reaction);
+    /// \param reaction, load forces of the supports and of the fluid, one entry per degree of freedom [N].
+    void write(const Instant& now, const Motion& motion, const SolidEnergies& energies, const Eigen::VectorXd& reaction,
+               const Eigen::VectorXd& load);
 
 private:
     void open_tables(const std::string& folder);
     void write_rows(const Instant& now, const Motion& motion, const SolidEnergies& energies,
-                    const Eigen::VectorXd& reaction);
+                    const Eigen::VectorXd& reaction, const Eigen::VectorXd& load);
     ContactFields contact_fields(const Instant& now, const Motion& motion) const;
     std::vector<double> reactions(double time, const Motion& motion, const Eigen::VectorXd& reaction) const;
 

@@ -108,7 +108,8 @@ void SolidSimulation::run_static()
         std::string residuals;
         for (const double residual : solution.residuals()) residuals += base::text(" ", residual);
         session_.log().info(base::text("load factor ", factor, ": residuals", residuals, " N"));
-        output_->write(now_, motion_, solution.energies(), solution.reaction());
+        output_->write(now_, motion_, solution.energies(), solution.reaction(),
+                       Eigen::VectorXd::Zero(model_.forces().dofs()));
     });
     finish(
         base::JsonObject().set("iterations", solution.iterations()).set("strain_energy", solution.energies().strain));
@@ -193,7 +194,7 @@ void SolidSimulation::advance(double dt)
 void SolidSimulation::write()
 {
     const auto scope = session_.timers().scope("output");
-    output_->write(now_, motion_, step_.energies(), step_.reaction());
+    output_->write(now_, motion_, step_.energies(), step_.reaction(), step_.forces().interface);
 }
 
 void SolidSimulation::finish(base::JsonObject figures)

@@ -89,7 +89,8 @@ base::Table<ProbeConfig> probe_table()
         .key("name", &ProbeConfig::name, {.doc = "first part of the column's name", .required = true})
         .key("position", &ProbeConfig::position, {.unit = "m", .doc = "in the reference state", .required = true})
         .key("quantities", &ProbeConfig::quantities,
-             {.doc = "what is written", .choices = {"displacement", "velocity", "acceleration"}});
+             {.doc = "what is written; load: the fluid's force on the node, as in the step that ended",
+              .choices = {"displacement", "velocity", "acceleration", "load"}});
 }
 
 base::Table<OutputConfig> output_table()

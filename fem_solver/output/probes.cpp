@@ -8,13 +8,14 @@ namespace {
 
 struct Quantity {
     const char* symbol;
-    const char* unit;
+    const char* unit; // in 2D
     Eigen::VectorXd Motion::*field;
 };
 
 const std::map<std::string, Quantity> quantities{{"displacement", {"u", "[m]", &Motion::displacement}},
                                                  {"velocity", {"v", "[m/s]", &Motion::velocity}},
-                                                 {"acceleration", {"a", "[m/s^2]", &Motion::acceleration}}};
+                                                 {"acceleration", {"a", "[m/s^2]", &Motion::acceleration}},
+                                                 {"load", {"f", "[N/m]", nullptr}}};
 
 } // namespace
 
@@ -26,17 +27,18 @@ Probes::Probes(const Mesh& mesh, const std::vector<ProbeConfig>& probes) : mesh_
         for (const std::string& name : probe.quantities) {
             const Quantity& quantity = quantities.at(name);
             for (int k = 0; k < mesh.dimension; ++k) {
-                columns_.push_back(probe.name + "." + quantity.symbol + "xyz"[k] + quantity.unit);
+                const char* unit = !quantity.field && mesh.dimension == 3 ? "[N]" : quantity.unit;
+                columns_.push_back(probe.name + "." + quantity.symbol + "xyz"[k] + unit);
                 entries_.push_back({quantity.field, own ? nearest * mesh.dimension + k : -1});
             }
         }
     }
 }
 
-std::vector<double> Probes::values(const Motion& motion) const
+std::vector<double> Probes::values(const Motion& motion, const Eigen::VectorXd& load) const
 {
     std::vector<double> result;
-    for (const Entry& entry : entries_) result.push_back(entry.dof < 0 ? 0 : (motion.*entry.field)[entry.dof]);
+    for (const auto& [field, dof] : entries_) result.push_back(dof < 0 ? 0 : (field ? motion.*field : load)[dof]);
     return mesh_->team().sum(std::move(result));
 }
 
