@@ -143,5 +143,6 @@ class Participant:
         elif isinstance(error, Error):
             self.fail(str(error), error.code)
         else:       # also of sys.exit and Ctrl-C: the partners must not wait for a solver that has gone
-            last = traceback.extract_tb(trace)[-1]
-            self.fail(f"{kind.__name__}: {error} ({Path(last.filename).name}, line {last.lineno})")
+            frames = traceback.extract_tb(trace)
+            own = [frame for frame in frames if Path(frame.filename).parent != Path(__file__).parent] or frames
+            self.fail(f"{kind.__name__}: {error} ({Path(own[-1].filename).name}, line {own[-1].lineno})")
