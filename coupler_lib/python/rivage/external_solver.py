@@ -5,8 +5,8 @@
 
 data: {"fluid_forces": [nodes, dimension]} where interface.load is "conservative", {"fluid_pressure": [facets]} where it is "averaged",
 constant over the step; fields: {"mesh_displacement": ..., "mesh_velocity": ...} [nodes, dimension] at current_time, the end of
-a step of delta_t. i_iter is 1: the coupling is explicit, one call a step. With coupling.solid_every = k the call is made once
-for k steps of the fluid, with their mean load and their whole length.
+a step of delta_t. i_iter is 0, the first of a step as Code_Aster counts them: the coupling is explicit, one call a step. With
+coupling.solid_every = k the call is made once for k steps of the fluid, with their mean load and their whole length.
 """
 from typing import Protocol
 
@@ -48,7 +48,7 @@ class Carrier:
     def call(self, time: float, dt: float) -> None:
         """One step to `time`. The load's work is f . du, f on the mean of the surfaces before and after: exact for a pressure on segments."""
         data = {"fluid_pressure": np.array(self.wet.pressure)} if self.wet.is_averaged else {"fluid_forces": np.array(self.wet.force)}
-        converged, fields = self.solver.run_iteration(1, time, dt, data)
+        converged, fields = self.solver.run_iteration(0, time, dt, data)
         self.calls += 1
         if not converged:
             raise Error(3, f"the solver did not converge in its step to t = {time:g} s, dt = {dt:g} s")

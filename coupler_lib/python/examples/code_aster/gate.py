@@ -5,7 +5,8 @@
 
 in an environment in which `import code_aster` and `import rivage` work. Syntax of versions 16 and 17 (package code_aster, objects of
 code_aster.CA). gate.med holds QUAD8 and SEG3 cells and the groups "top" (clamped) and "wet" (the three other sides).
-One call of DYNA_NON_LINE a step goes on from the last; the pressure is a following load (TYPE_CHARGE="SUIV").
+One call of DYNA_NON_LINE a step goes on from the last. interface.load = "conservative": the fluid's forces on the nodes (FORCE_NODALE);
+"averaged": its pressure as a following load (TYPE_CHARGE="SUIV") through an evolving load.
 """
 import sys
 
@@ -55,8 +56,16 @@ class GateSolver:
         self.zero = CREA_CHAMP(TYPE_CHAM="NOEU_DEPL_R", OPERATION="AFFE", MODELE=self.model,
                                AFFE=_F(TOUT="OUI", NOM_CMP=("DX", "DY"), VALE=(0.0, 0.0)))
 
-    def load(self, pressure: np.ndarray, begin: float, end: float):
-        """The pressure on the wet nodes, the same at both ends of the step, as a load that evolves."""
+    def load(self, data: dict, begin: float, end: float) -> _F:
+        """What came as an entry of EXCIT, the same at both ends of the step."""
+        if "fluid_pressure" in data:
+            return _F(CHARGE=self.pressing(data["fluid_pressure"], begin, end), TYPE_CHARGE="SUIV")
+        forces = [_F(NOEUD=self.mesh.getNodeName(node), FX=float(x), FY=float(y))
+                  for node, (x, y) in zip(self.surface.nodes, data["fluid_forces"])]
+        return _F(CHARGE=AFFE_CHAR_MECA(MODELE=self.model, FORCE_NODALE=forces))
+
+    def pressing(self, pressure: np.ndarray, begin: float, end: float):
+        """The pressure on the wet nodes, as a load that evolves."""
         field = CA.FieldOnNodesReal(self.mesh, "PRES_R", {"PRES": 0.0}).toSimpleFieldOnNodes()
         field.setValues(self.surface.nodes, ["PRES"] * len(self.surface.nodes), list(self.surface.on_nodes(pressure)))
         steady = field.toFieldOnNodes()
@@ -69,15 +78,17 @@ class GateSolver:
         go_on = {"ETAT_INIT": _F(DEPL=self.zero, VITE=self.zero)}    # the acceleration follows from the load
         if self.result is not None:
             go_on = {"reuse": self.result, "RESULTAT": self.result, "ETAT_INIT": _F(EVOL_NOLI=self.result)}
-        self.result = DYNA_NON_LINE(
-            MODELE=self.model, CHAM_MATER=self.material,
-            EXCIT=(_F(CHARGE=self.clamp), _F(CHARGE=self.weight),
-                   _F(CHARGE=self.load(data["fluid_pressure"], begin, current_time), TYPE_CHARGE="SUIV")),
-            COMPORTEMENT=_F(RELATION="ELAS", DEFORMATION="GROT_GDEP"),
-            INCREMENT=_F(LIST_INST=DEFI_LIST_REEL(VALE=(begin, current_time)), INST_INIT=begin),
-            SCHEMA_TEMPS=_F(SCHEMA="HHT", ALPHA=ALPHA, MODI_EQUI="OUI", FORMULATION="DEPLACEMENT"),
-            NEWTON=_F(MATRICE="TANGENTE", REAC_ITER=1), **go_on)
-        return True, {"mesh_displacement": self.on_surface("DEPL"), "mesh_velocity": self.on_surface("VITE")}    # else it has raised
+        try:
+            self.result = DYNA_NON_LINE(
+                MODELE=self.model, CHAM_MATER=self.material,
+                EXCIT=(_F(CHARGE=self.clamp), _F(CHARGE=self.weight), self.load(data, begin, current_time)),
+                COMPORTEMENT=_F(RELATION="ELAS", DEFORMATION="GROT_GDEP"),
+                INCREMENT=_F(LIST_INST=DEFI_LIST_REEL(VALE=(begin, current_time)), INST_INIT=begin),
+                SCHEMA_TEMPS=_F(SCHEMA="HHT", ALPHA=ALPHA, MODI_EQUI="OUI", FORMULATION="DEPLACEMENT"),
+                NEWTON=_F(MATRICE="TANGENTE", REAC_ITER=1), **go_on)
+        except CA.ConvergenceError:
+            return False, {}
+        return True, {"mesh_displacement": self.on_surface("DEPL"), "mesh_velocity": self.on_surface("VITE")}
 
     def on_surface(self, name: str) -> np.ndarray:
         field = self.result.getField(name, self.result.getLastIndex()).toSimpleFieldOnNodes()

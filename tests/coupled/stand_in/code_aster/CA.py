@@ -5,6 +5,10 @@ import numpy as np
 LOW, HIGH, CELLS = (0.1, 0.0), (0.105, 0.079), (4, 40)
 
 
+class ConvergenceError(Exception):
+    pass
+
+
 def init(comm) -> None:
     assert comm.size == 1
 
@@ -35,6 +39,9 @@ class Mesh:
     def getCells(self, group: str) -> list[int]:
         assert group == "wet"
         return list(range(len(self.cells)))
+
+    def getNodeName(self, node: int) -> str:
+        return f"N{node + 1}"
 
     def getConnectivity(self) -> list[tuple]:
         return self.cells
