@@ -80,7 +80,7 @@ def snapshot_figure(water_file, solid_files: list, times, view: View, columns: i
             continue
         water, solids = panels[index]
         colours = draw_step(axes, water, solids, view) or colours
-        axes.set_title(f"t = {(water or solids[0]).time:.3f} s", fontsize=9)
+        axes.set_title(f"t = {(water or solids[0]).time:.3g} s", fontsize=9)
         axes.tick_params(labelsize=7, labelleft=index % columns == 0, labelbottom=index + columns >= len(panels))
         if index % columns == 0:
             axes.set_ylabel("y [m]", fontsize=8)

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of the wedge: deflection beside other solutions, pressures at A and C, the water's pressure under the panel."""
+"""Pictures of the wedge: deflection beside other solutions, pressures at A and C, the water under the panel."""
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "tools")]
 
-import numpy as np  # noqa: E402
-
 from field_file import open_fields  # noqa: E402
 from figure_style import FLUID, REFERENCE, SOLID, draw, plt  # noqa: E402
 from measure import deflection, pressure  # noqa: E402
 from run_folder import RunFolder, Table  # noqa: E402
+from snapshots import View, snapshot_figure  # noqa: E402
 
 
 def curves(run: RunFolder):
@@ -38,28 +37,15 @@ def curves(run: RunFolder):
 
 
 def water(run: RunFolder):
-    """Particles coloured by pressure at about 1.6 ms."""
-    fields, solid = open_fields(run.file("fluid/fields.h5")), open_fields(run.file("solid/fields.h5"))
-    step = fields.nearest(0.0016) if fields else None
-    if step is None:
-        return None
-    x = step.points
-    near = (x[:, 0] < 0.8) & (x[:, 1] > -0.3)
-    figure, axes = plt.subplots(figsize=(11.5, 4.6), layout="constrained")
-    dots = axes.scatter(x[near, 0], x[near, 1], c=1e-6 * step.fields["pressure"][near], s=5, cmap="viridis", vmin=0, vmax=20, linewidths=0)
-    panel = solid.nearest(step.time)
-    if panel is not None:
-        place = panel.points + panel.fields["displacement"][:, :panel.points.shape[1]]
-        axes.scatter(place[:, 0], place[:, 1], s=2, color=SOLID, linewidths=0)
-    axes.set(title=f"t = {1e3 * step.time:.2f} ms", xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(-0.01, 0.8), ylim=(-0.3, 0.15))
-    figure.colorbar(dots, ax=axes, label="pressure [MPa]", shrink=0.7)
-    return figure
+    """Water coloured by pressure under the bent panel."""
+    view = View((-0.01, 0.8, -0.2, 0.14), pressure=20e6, spacing=0.005, walls=[[(0, -0.2), (0, 0.14)]])
+    return snapshot_figure(open_fields(run.file("fluid/fields.h5")), [open_fields(run.file("solid/fields.h5"))], (0.0008, 0.0016), view, 2)
 
 
 def pictures(run: RunFolder) -> list[tuple]:
     """(figure, kind, caption) of each picture for the report."""
     return [(curves(run), "svg", "Deflection beside the rigid fall, and pressures of the water."),
-            (water(run), "png", "Water coloured by pressure, the panel's nodes in their place.")]
+            (water(run), "png", "Water coloured by pressure, the panel in its place.")]
 
 
 def main() -> int:

@@ -21,6 +21,7 @@ struct ParticipantConfig {
     bool is_path() const { return !is_script() && program.find('/') != std::string::npos; }
     /// A Python module, "rivage.fake_solid".
     bool is_module() const { return !is_script() && !is_path() && program.find('.') != std::string::npos; }
+    bool is_from_outside() const { return is_script() || is_path() || is_module(); }
     /// As one would type it, without the overrides. \param shared_file path of coupling.toml
     std::string command(const std::string& role, const std::string& shared_file) const;
 };

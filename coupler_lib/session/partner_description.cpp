@@ -70,7 +70,7 @@ std::vector<PartnerDescription> describe_partners(const CouplingConfig& config, 
     const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
     for (const auto& [role, participant] : config.participants) {
         if (role == own_role) continue;
-        if (participant.is_script() || participant.is_path() || participant.is_module()) {
+        if (participant.is_from_outside()) {
             partners.push_back(
                 {role, {}, participant.program + " is a solver from outside, which does not describe itself"});
             continue;

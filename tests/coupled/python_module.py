@@ -4,12 +4,13 @@
 usage: python_module.py --build FOLDER [unittest's arguments]
 """
 import sys
-import tempfile
 import types
 import unittest
 from pathlib import Path
 
 import numpy as np
+
+from coupled_run import InScratchFolder
 
 BUILD = Path(sys.argv.pop(sys.argv.index("--build") + 1)).resolve()
 sys.argv.remove("--build")
@@ -21,14 +22,7 @@ SHARED = '[participants.solid]\nprogram = "gate.py"\nfile = "solid.toml"\n[parti
 OWN = '[material]\nE = 1.0\nlaw = "elastic"\n'
 
 
-class InFolder(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-
-class OwnFile(InFolder):
+class OwnFile(InScratchFolder):
     def read(self, *overrides: str, role: str = "solid") -> dict:
         (self.folder / "coupling.toml").write_text(SHARED, encoding="utf-8")
         (self.folder / "solid.toml").write_text(OWN, encoding="utf-8")
@@ -58,7 +52,7 @@ class Normals(unittest.TestCase):
             np.testing.assert_allclose(rivage.Solid.inward(side, corners[:, :dimension])[0], wanted)
 
 
-class Tables(InFolder):
+class Tables(InScratchFolder):
     def rows(self, interval: float) -> list[str]:
         """Of probes.csv, after ten windows of 0.03 s."""
         me = types.SimpleNamespace(role="gate", table_interval=interval, out=self.folder)

@@ -52,13 +52,12 @@ class Solid:
         self.participant, self.check = participant, check
         ids = np.ascontiguousarray(node_ids, dtype=np.int64)
         self.reference = c.as_array(reference, np.float64, (len(ids), dimension), "reference").copy()
-        corners = rows_of_nodes(facets)
+        self.facets = rows_of_nodes(facets)
         numbers = c.as_array(np.arange(len(facets)) if facet_ids is None else facet_ids, np.int64, (len(facets),), "facet_ids")
-        self.facets = corners
         self.window, self.answered, self.predicted = Window(-1, 0, 0), True, False
         self.handle = ctypes.c_void_p()
         check(c.LIBRARY.rivage_solid_open(participant.handle, dimension, len(ids), c.pointer(ids, c.LONG), c.pointer(self.reference),
-                                          len(facets), c.pointer(numbers, c.LONG), c.pointer(corners, c.INT),
+                                          len(facets), c.pointer(numbers, c.LONG), c.pointer(self.facets, c.INT),
                                           ctypes.byref(self.handle)))
 
     def receive(self) -> Window:
