@@ -20,7 +20,8 @@ One [[expect]] table a figure:
     low, high                        or a band, either end may be left out
     informative = true               printed, never judged
     miss   = "..."                   why the figure misses, where that was found out
-    run    = "dx 0.04"               name (or names) of the runs of verify.toml it is meant for; none: the case as it stands
+    run    = "dx 0.04"               name (or names) of the runs of verify.toml it is meant for; none: the case as it
+                                     stands, which is named "as it stands" among others
     source = "..."                   who says so
 
 [[convergence]] tables follow a figure over several runs: convergence.py.
@@ -34,6 +35,8 @@ from pathlib import Path
 import numpy as np
 
 from run_folder import RunFolder, Table
+
+AS_IT_STANDS = "as it stands"      # the name of a case's run without overrides
 
 
 @dataclass
@@ -166,20 +169,20 @@ def scale_of(run: RunFolder, entry: dict) -> float:
     return measure(run, {"file": entry.get("file"), **over}) if isinstance(over, dict) else float(over)
 
 
-def is_meant(entry: dict, name: str | None) -> bool:
-    """Whether an expectation is about the run of that name; None: the case as it stands."""
-    wanted = entry.get("run")
-    return name is None if wanted is None else name in ([wanted] if isinstance(wanted, str) else wanted)
+def is_meant(entry: dict, names: tuple[str, ...]) -> bool:
+    """Whether an expectation is about a run of one of these names."""
+    wanted = entry.get("run", AS_IT_STANDS)
+    return not set(names).isdisjoint([wanted] if isinstance(wanted, str) else wanted)
 
 
-def check(run: RunFolder, case: Path, name: str | None = None, title: str = "") -> list[Finding]:
+def check(run: RunFolder, case: Path, names: tuple[str, ...] = (AS_IT_STANDS,), title: str = "") -> list[Finding]:
     """Every figure that expect.toml asks of this run, measured; empty where the case expects nothing of it."""
     path = case / "expect.toml"
     if not path.exists():
         return []
     findings = []
     for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("expect", []):
-        if not is_meant(entry, name):
+        if not is_meant(entry, names):
             continue
         try:
             findings.append(Finding(title or case.name, entry, measure(run, entry | {"folder": case, "beside": run.path.parent})))

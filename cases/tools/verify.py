@@ -52,9 +52,7 @@ def made(planned: PlannedRun, programs: Path, out: Path) -> tuple[RunFolder, dic
 def judged_run(planned: PlannedRun, run: RunFolder, facts: dict) -> list[Finding]:
     """The findings of one run; one that ended badly misses everything that is expected of it."""
     name = title(planned.folder)
-    findings = []
-    for wanted in [None, planned.name] if planned.as_it_stands else [planned.name]:
-        findings += check(run, planned.folder, wanted, name)
+    findings = check(run, planned.folder, planned.names, name)
     if facts["exit_code"] != 0:
         for finding in findings:
             finding.value, finding.reason = None, f"the run ended with exit code {facts['exit_code']}"
@@ -66,7 +64,7 @@ def is_awaited(planned: PlannedRun) -> bool:
     """Whether expect.toml asks anything of a run of that name."""
     path = planned.folder / "expect.toml"
     entries = tomllib.loads(path.read_text(encoding="utf-8")).get("expect", []) if path.exists() else []
-    return any(is_meant(entry, planned.name) for entry in entries)
+    return any(is_meant(entry, planned.names) for entry in entries)
 
 
 def verify_case(folder: Path, chosen, arguments) -> list[dict]:

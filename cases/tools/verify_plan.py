@@ -18,6 +18,8 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
+from expectations import AS_IT_STANDS
+
 CASES = Path(__file__).resolve().parent.parent
 INPUTS = ("coupling.toml", "fluid.toml", "solid.toml")
 KEYS = {"name", "inputs", "set", "fluid_ranks", "solid_ranks", "test", "test_program", "filter"}
@@ -37,6 +39,11 @@ class PlannedRun:
     @property
     def as_it_stands(self) -> bool:
         return not self.settings and not self.test_program and self.inputs == "."
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What expect.toml may call it."""
+        return (self.name, AS_IT_STANDS) if self.as_it_stands else (self.name,)
 
 
 def is_case(folder: Path) -> bool:
@@ -80,7 +87,7 @@ def find_cases(names: list[str]) -> list[Path]:
 def plan(folder: Path) -> list[PlannedRun]:
     path = folder / "verify.toml"
     if not path.exists():
-        return [PlannedRun(folder, "as it stands")]
+        return [PlannedRun(folder, AS_IT_STANDS)]
     runs = []
     for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("run", []):
         unknown = set(entry) - KEYS

@@ -115,11 +115,13 @@ class Convergence(Scratch):
 class Expectations(Scratch):
     def test_a_run_meets_only_what_is_meant_for_it(self):
         write(self.path / "case/expect.toml", '[[expect]]\nquantity = "always"\nfunction = "answer"\nhigh = 50\n'
-              '[[expect]]\nquantity = "coarse"\nfunction = "answer"\nrun = ["coarse", "other"]\nlow = 50\nmiss = "it is 42"\n')
+              '[[expect]]\nquantity = "coarse"\nfunction = "answer"\nrun = ["coarse", "other"]\nlow = 50\nmiss = "it is 42"\n'
+              '[[expect]]\nquantity = "both"\nfunction = "answer"\nrun = ["as it stands", "fine"]\nlow = 50\n')
         write(self.path / "case/measure.py", "def answer(run, entry):\n    return 42\n")
         run = RunFolder(self.path)
-        self.assertEqual([f.entry["quantity"] for f in check(run, self.path / "case")], ["always"])
-        (coarse,) = check(run, self.path / "case", "coarse")
+        self.assertEqual([f.entry["quantity"] for f in check(run, self.path / "case")], ["always", "both"])
+        self.assertEqual(len(check(run, self.path / "case", ("fine", "as it stands"))), 2)   # one run by two names: once
+        (coarse,) = check(run, self.path / "case", ("coarse",))
         self.assertEqual(coarse.value, 42)
         self.assertEqual(coarse.as_record()["cause"], "it is 42")
         self.assertIn("MISS", line(coarse))
