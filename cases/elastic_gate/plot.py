@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of the elastic gate: water and gate at the experiment's times, the free end beside the experiment.
+"""Pictures of the elastic gate: water and gate at the experiment's times; the free end beside the experiment and the
+energies of both sides, as figures 3 and 4 of the SPH-FEM paper (README.md); the water levels.
 
-usage: plot.py RUN FOLDER          writes snapshots.png and tip.png into FOLDER; the report calls pictures(run).
+usage: plot.py RUN FOLDER          writes them as PNG into FOLDER; the report calls pictures(run).
 """
 import sys
 from pathlib import Path
@@ -11,8 +12,9 @@ sys.path.insert(0, str(HERE.parent / "tools"))
 
 import numpy as np  # noqa: E402
 
+from energy import energy_sum  # noqa: E402
 from field_file import open_fields  # noqa: E402
-from figure_style import FLUID, REFERENCE, SOLID, draw, plt  # noqa: E402
+from figure_style import FLUID, REFERENCE, SOLID, TOTAL, draw, plt  # noqa: E402
 from run_folder import RunFolder, Table  # noqa: E402
 from snapshots import View, snapshot_figure  # noqa: E402
 
@@ -22,7 +24,9 @@ DRY_SIDE = WATER_WIDTH + GATE_THICKNESS
 WALLS = [[(0, 0.15), (0, 0), (1.2, 0)],
          [(WATER_WIDTH, 0.15), (WATER_WIDTH, GATE_TOP), (DRY_SIDE, GATE_TOP), (DRY_SIDE, 0.15)]]
 CAPTIONS = ("Water coloured by pressure and the gate's mesh in its deformed place.",
-            "Middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty.")
+            "Left: middle of the gate's lower face, beside the experiment of Antoci et al. (2007); bars: uncertainty. "
+            "Right: energies of water and gate, their change since the start.",
+            "Highest water in the last 5 mm before the gate's place, and 5 cm before it.")
 
 
 def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
@@ -34,32 +38,52 @@ def snapshots(run: RunFolder, times=TIMES, columns: int = 5):
     return snapshot_figure(water, [solid], times, view, columns)
 
 
-def tip(run: RunFolder):
+def draw_tip(axes, probes: Table) -> None:
     """Displacement of the middle of the gate's lower face, with the measured one and its uncertainty."""
-    probes = run.table("solid/probes.csv")
     measured = Table(HERE / "reference" / "antoci_gate_experiment.csv")
-    if probes is None:
-        return None
-    figure, axes = plt.subplots(figsize=(11.5, 3.6), layout="constrained")
     for column, name, colour, marker in (("tip.ux", "x", FLUID, "o"), ("tip.uy", "y", SOLID, "s")):
         draw(axes, probes["t"], 1000 * probes[column], color=colour, label=f"computed, {name}")
         axes.errorbar(measured["t"], measured[f"{name}_tip"], yerr=measured[f"u_{name}"], label=f"measured, {name}",
                       fmt=marker, markersize=4, mfc="white" if name == "y" else REFERENCE, color=REFERENCE,
                       capsize=2, linewidth=0.9)
     axes.set(title="Free end of the gate", xlabel="t [s]", ylabel="displacement [mm]", xlim=(0, None))
-    axes.legend(ncols=2)
+    axes.legend(ncols=2, fontsize=7.5)
+
+
+def tip_and_energies(run: RunFolder):
+    probes, energies = run.table("solid/probes.csv"), energy_sum(run)
+    if probes is None or energies is None:
+        return None
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 3.6), layout="constrained")
+    draw_tip(left, probes)
+    for values, colour, label in ((energies.fluid, FLUID, "water"), (energies.solid, SOLID, "gate"), (energies.total, TOTAL, "both")):
+        draw(right, energies.t, values - values[0], color=colour, label=label)
+    right.set(title="Total energies, change since the start", xlabel="t [s]", ylabel="energy [J/m]", xlim=(0, None))
+    right.legend()
+    return figure
+
+
+def levels(run: RunFolder):
+    probes = run.table("fluid/probes.csv")
+    if probes is None or "level_at_gate.front" not in probes:
+        return None
+    figure, axes = plt.subplots(figsize=(5.8, 3.0), layout="constrained")
+    for name, colour, label in (("level_at_gate", SOLID, "at the gate"), ("level_5_cm_before_gate", FLUID, "5 cm before it")):
+        draw(axes, probes["t"], 1000 * probes[f"{name}.front"], color=colour, label=label)
+    axes.set(title="Water level", xlabel="t [s]", ylabel="[mm]", xlim=(0, None), ylim=(0, None))
+    axes.legend()
     return figure
 
 
 def pictures(run: RunFolder) -> list[tuple]:
     """(figure, kind, caption) of each picture for the report."""
-    return [(snapshots(run), "png", CAPTIONS[0]), (tip(run), "svg", CAPTIONS[1])]
+    return list(zip((snapshots(run), tip_and_energies(run), levels(run)), ("png", "svg", "svg"), CAPTIONS))
 
 
 def main() -> int:
     run, folder = RunFolder(Path(sys.argv[1])), Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    for name, figure in (("snapshots", snapshots(run)), ("tip", tip(run))):
+    for name, (figure, _, _) in zip(("snapshots", "tip", "levels"), pictures(run)):
         if figure is not None:
             figure.savefig(folder / f"{name}.png", dpi=130)
             print(folder / f"{name}.png")

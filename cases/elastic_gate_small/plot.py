@@ -12,4 +12,4 @@ SPEC.loader.exec_module(gate)
 def pictures(run) -> list[tuple]:
     """(figure, kind, caption) of each picture for the report."""
     times = [0.02, 0.04, 0.06, 0.08, 0.1]
-    return [(gate.snapshots(run, times), "png", gate.CAPTIONS[0]), (gate.tip(run), "svg", gate.CAPTIONS[1])]
+    return [(gate.snapshots(run, times), "png", gate.CAPTIONS[0]), (gate.tip_and_energies(run), "svg", gate.CAPTIONS[1])]

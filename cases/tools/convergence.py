@@ -35,6 +35,18 @@ def rates(dx: list[float], figures: list[float], exact: float | None, show: str)
     return [math.log(coarse / fine) / math.log(wide / narrow) for coarse, fine, wide, narrow in pairs]
 
 
+def extrapolated(figures: list[float]) -> float | None:
+    """Where three figures over dx, dx/r and dx/r^2 tend to, their error taken as a power of dx (Richardson):
+
+        f = f_3 + (f_3 - f_2)^2 / ((f_2 - f_1) - (f_3 - f_2))
+
+    None where the differences do not shrink with one sign, or there are not three."""
+    if len(figures) != 3:
+        return None
+    first, last = figures[1] - figures[0], figures[2] - figures[1]
+    return figures[2] + last**2 / (first - last) if first * last > 0 and abs(first) > abs(last) else None
+
+
 def followed(case: str, entry: dict, runs: dict[str, RunFolder]) -> Finding:
     """The lowest rate over the runs named by the entry, with the figures themselves as the finding's detail."""
     missing = [name for name in entry["runs"] if name not in runs]
@@ -48,6 +60,8 @@ def followed(case: str, entry: dict, runs: dict[str, RunFolder]) -> Finding:
     except (KeyError, ValueError, TypeError, OSError) as error:
         return Finding(case, entry, None, str(error).strip("'\""))
     detail = "; ".join(f"dx = {d:g} m: {figure:.5g}" for d, figure in zip(dx, figures))
+    limit = extrapolated(figures) if "exact" not in entry else None
+    detail += "" if limit is None else f"; extrapolated {limit:.5g}"
     return Finding(case, entry, min(found), "", f"{detail}; {entry['show']} {', '.join(f'{rate:.2f}' for rate in found)}")
 
 

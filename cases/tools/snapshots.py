@@ -8,8 +8,8 @@ from matplotlib.collections import LineCollection, PolyCollection
 from field_file import FieldStep
 from figure_style import SOLID, WATER, plt
 
-# The corner-and-edge walk around a cell, by number of nodes: eight nodes are four corners, then four mid-sides.
-OUTLINE = {3: (0, 1, 2), 4: (0, 1, 2, 3), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
+# The corner-and-edge walk around a plane cell, by number of nodes: corners come first, then the mid-sides.
+OUTLINE = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5), 4: (0, 1, 2, 3), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
 
 
 @dataclass

@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "cases" / "tools"))
 
 from check_expectations import line  # noqa: E402
-from convergence import followed, rates  # noqa: E402
+from convergence import extrapolated, followed, rates  # noqa: E402
 from expectations import Finding, check  # noqa: E402
 from launch import run_tests  # noqa: E402
 from run_folder import RunFolder  # noqa: E402
@@ -110,6 +110,13 @@ class Convergence(Scratch):
         self.assertFalse(finding.passed)
         self.assertIn("dx = 0.2 m: 0.1; dx = 0.1 m: 0.05; order 1.58, 1.00", finding.detail)
         self.assertIn("no run finest", followed("case", entry | {"runs": ["coarse", "finest"]}, runs).reason)
+
+
+    def test_three_figures_are_extrapolated_where_they_converge(self):
+        self.assertAlmostEqual(extrapolated([1 + 3 * dx**1.5 for dx in (0.4, 0.2, 0.1)]), 1.0)
+        self.assertIsNone(extrapolated([1.0, 1.1, 1.3]))     # diverging
+        self.assertIsNone(extrapolated([1.0, 1.2, 1.1]))     # to and fro
+        self.assertIsNone(extrapolated([1.0, 1.1]))
 
 
 class Expectations(Scratch):

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""The picture of a solid whose case draws none of its own: its mesh where it ended, coloured by how far it moved."""
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LightSource, Normalize
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from field_file import FieldStep, open_fields
+from figure_style import WATER, plt
+from run_folder import RunFolder
+from snapshots import OUTLINE
+
+# Corners of the faces of a cell in space, by its number of nodes: corners come first in every cell.
+TETRAHEDRON = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
+HEXAHEDRON = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+FACES = {4: TETRAHEDRON, 10: TETRAHEDRON, 8: HEXAHEDRON, 20: HEXAHEDRON, 27: HEXAHEDRON}
+
+
+def outer_faces(cells: np.ndarray) -> np.ndarray:
+    """The faces (n x corners) that belong to one cell only."""
+    faces = np.vstack([cells[:, corners] for corners in FACES[cells.shape[1]]])
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return faces[first[count == 1]]
+
+
+def polygons(step: FieldStep) -> np.ndarray | None:
+    """What is drawn, as node numbers (n x corners): the cells of a plane mesh, the outer faces of one in space."""
+    cells = step.connectivity
+    if cells is None or cells.ndim != 2 or "displacement" not in step.fields:
+        return None
+    plane = not np.any(step.points[:, 2])
+    if cells.shape[1] not in (OUTLINE if plane else FACES):
+        return None
+    return cells[:, OUTLINE[cells.shape[1]]] if plane else outer_faces(cells)
+
+
+def draw_plane(figure, corners: np.ndarray, colours) -> None:
+    axes = figure.add_subplot()
+    axes.add_collection(PolyCollection(corners[:, :, :2], facecolors=colours, edgecolors="#333333", linewidths=0.3))
+    axes.autoscale_view()
+    axes.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
+
+
+def draw_space(figure, corners: np.ndarray, colours) -> None:
+    axes = figure.add_subplot(projection="3d")
+    faces = Poly3DCollection(corners, facecolors=colours, edgecolors="#333333", linewidths=0.3, shade=True, lightsource=LightSource(azdeg=300, altdeg=50))
+    axes.add_collection3d(faces)
+    low, high = corners.reshape(-1, 3).min(axis=0), corners.reshape(-1, 3).max(axis=0)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
+    axes.set_box_aspect(np.maximum(high - low, 0.05 * (high - low).max()))
+    axes.locator_params(nbins=4)
+
+
+def mesh_figure(run: RunFolder):
+    """The solid's last fields; None where there are none or their cells are not known here."""
+    fields = open_fields(run.file("solid/fields.h5"))
+    if fields is None or not fields.steps:
+        return None
+    step = fields.read(len(fields.steps) - 1)
+    nodes = polygons(step)
+    if nodes is None:
+        return None
+    moved = 1000 * np.linalg.norm(step.fields["displacement"].reshape(len(step.points), -1), axis=1)
+    scale = ScalarMappable(Normalize(0, moved.max() or 1.0), WATER)
+    figure = plt.figure(figsize=(6.5, 3.6), layout="constrained")
+    draw = draw_space if np.any(step.points[:, 2]) else draw_plane
+    draw(figure, step.points[nodes], scale.to_rgba(moved[nodes].mean(axis=1)))
+    figure.colorbar(scale, ax=figure.axes, shrink=0.8, pad=0.02).set_label("displacement [mm]", fontsize=8)
+    return figure
