@@ -186,6 +186,6 @@ def check(run: RunFolder, case: Path, names: tuple[str, ...] = (AS_IT_STANDS,), 
             continue
         try:
             findings.append(Finding(title or case.name, entry, measure(run, entry | {"folder": case, "beside": run.path.parent})))
-        except (KeyError, OSError, ValueError, TypeError, IndexError) as error:
+        except (KeyError, OSError, ValueError, TypeError, IndexError, ZeroDivisionError) as error:
             findings.append(Finding(title or case.name, entry, None, str(error).strip("'\"")))
     return findings

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import LightSource, Normalize
+from matplotlib.colors import Normalize
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from field_file import FieldStep, open_fields
@@ -44,8 +44,7 @@ def draw_plane(figure, corners: np.ndarray, colours) -> None:
 
 def draw_space(figure, corners: np.ndarray, colours) -> None:
     axes = figure.add_subplot(projection="3d")
-    faces = Poly3DCollection(corners, facecolors=colours, edgecolors="#333333", linewidths=0.3, shade=True, lightsource=LightSource(azdeg=300, altdeg=50))
-    axes.add_collection3d(faces)
+    axes.add_collection3d(Poly3DCollection(corners, facecolors=colours, edgecolors="#333333", linewidths=0.3))
     low, high = corners.reshape(-1, 3).min(axis=0), corners.reshape(-1, 3).max(axis=0)
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
     axes.set_box_aspect(np.maximum(high - low, 0.05 * (high - low).max()))

@@ -14,6 +14,7 @@ from pathlib import Path
 from energy import write_energy_total
 from expectations import check
 from figure_style import as_image
+from mesh_picture import mesh_figure
 from report_figures import energy_figure, interface_figure, probe_figure, wait_figure
 from report_page import columns, missing_note, page, picture, section
 from report_tables import expectation_table, run_figures, time_table
@@ -25,16 +26,22 @@ ENERGY_NOTE = ("What particles that left the domain took along is counted as the
 INTERFACE_NOTE = "The work of both sides should be opposite: what differs is made or lost by the exchange."
 
 
-def case_pictures(run: RunFolder, case: Path) -> list[str]:
-    """What the case's own plot.py draws; a case without one shows its probes."""
+def case_figures(run: RunFolder, case: Path) -> list[tuple] | None:
+    """(figure, kind, caption) of what the case's own plot.py draws or that of the case above; None without one."""
     path = next((folder / "plot.py" for folder in (case, case.parent) if (folder / "plot.py").exists()), None)
     if path is None:
-        figures = [(probe_figure(run, side), "svg", "") for side in run.sides()]
-    else:
-        spec = importlib.util.spec_from_file_location(f"plot_{case.name}", path)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        figures = module.pictures(run)
+        return None
+    spec = importlib.util.spec_from_file_location(f"plot_{case.name}", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.pictures(run)
+
+
+def case_pictures(run: RunFolder, case: Path) -> list[str]:
+    """What the case's own plot.py draws; a case without one shows the solid's mesh and the probes."""
+    figures = case_figures(run, case)
+    if figures is None:
+        figures = [(mesh_figure(run), "png", "The mesh where it ended."), *((probe_figure(run, side), "svg", "") for side in run.sides())]
     drawn = (entry for entry in figures if entry[0] is not None)
     return [picture(as_image(figure, kind, caption), caption) for figure, kind, caption in drawn]
 

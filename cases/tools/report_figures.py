@@ -100,7 +100,7 @@ def wait_figure(name: str, interface: Table):
 def probe_figure(run: RunFolder, side: str):
     """Every probe of one side, one panel a unit; for cases that bring no picture of their own."""
     table = run.table(f"{side}/probes.csv")
-    if table is None:
+    if table is None or len(table.headers) < 2:
         return None
     units = sorted({table.unit(name) for name in table.headers[1:]})[:4]
     figure, grid = plt.subplots(1, len(units), figsize=(11.5, 3.0), squeeze=False, layout="constrained")
