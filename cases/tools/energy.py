@@ -16,7 +16,7 @@ from run_folder import RunFolder, Table
 
 DISSIPATIONS = {"fluid": (("dissipation_riemann", "Riemann solver"), ("dissipation_mass_flux", "mass flux"),
                           ("dissipation_walls", "walls"), ("viscous", "viscous")),
-                "solid": (("numerical_dissipation", "HHT"), ("damping", "damping"),
+                "solid": (("numerical_dissipation", "HHT"), ("damping", "damping"), ("material", "material"),
                           ("contact", "contact"), ("friction", "friction"))}
 
 

@@ -48,6 +48,8 @@ public:
     int own_elements() const { return own_elements_; }
     /// Integration points of each element.
     int count() const { return static_cast<int>(rule_.size()); }
+    /// Integration points of all elements.
+    std::size_t all() const { return points_.size(); }
     const std::vector<GaussPoint<D>>& rule() const { return rule_; }
     const int* nodes_of(int element) const { return connectivity_.data() + static_cast<std::size_t>(element) * N; }
     /// The integration points of an element.

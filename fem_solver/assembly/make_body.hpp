@@ -25,6 +25,8 @@ std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPatte
     const auto law = sheet ? std::nullopt : split(material.law);
     BodySettings own = settings;
     own.formulation = chosen<Shape>(settings.formulation, law.has_value());
+    base::require_input(!material.softening.active() || own.formulation == Formulation::mixed,
+                        "a material that softens (softening_r) needs [mesh] formulation = \"mixed\"");
     if (own.formulation != Formulation::mixed)
         return std::make_unique<ElementBody<Shape>>(mesh, pattern, material, own);
     base::require_input(Shape::pressure_modes > 0, "the element ", name_of(mesh.type),
@@ -32,7 +34,7 @@ std::unique_ptr<SolidBody> make_element_body(const Mesh& mesh, const MatrixPatte
     base::require_input(law.has_value(), "the mixed formulation needs plane strain or 3D, and a law that separates "
                                          "shape and volume: neo_hookean, mooney_rivlin, ogden or marlow");
     if constexpr (Shape::pressure_modes > 0)
-        return std::make_unique<MixedBody<Shape, Shape::pressure_modes>>(mesh, pattern, *law, material.density);
+        return std::make_unique<MixedBody<Shape, Shape::pressure_modes>>(mesh, pattern, *law, material);
     return nullptr;
 }
 

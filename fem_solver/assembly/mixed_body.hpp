@@ -3,7 +3,7 @@
 
 #include "fem_solver/assembly/element_points.hpp"
 #include "fem_solver/assembly/solid_body.hpp"
-#include "fem_solver/material/point_law.hpp"
+#include "fem_solver/material/shape_law.hpp"
 #include "fem_solver/material/split_law.hpp"
 
 namespace fem {
@@ -25,12 +25,12 @@ template<class Shape, int M> class MixedBody final : public SolidBody {
     using Gram = Eigen::Matrix<double, M, M>;
 
 public:
-    MixedBody(const Mesh& mesh, const MatrixPattern& pattern, const SplitLaw& law, double density)
+    MixedBody(const Mesh& mesh, const MatrixPattern& pattern, const SplitLaw& law, const Material& material)
         : pattern_(&pattern),
           points_(mesh, Shape::full_gauss),
-          shape_(make_point_law<D>(law.shape)),
+          shape_(make_point_law<D>(law.shape), material.softening, points_.all()),
           bulk_(law.bulk),
-          density_(density)
+          density_(material.density)
     {
         for (int e = 0; e < points_.elements(); ++e) {
             const Nodal x = points_.positions(e);
@@ -59,7 +59,7 @@ public:
                 const auto& p = points_.of(e)[q];
                 const Tensor<D> f = deformation(p, u);
                 const double j_pressure = f.determinant() * pressure.dot(basis_of(e)[q]);
-                nodal += p.volume * (shape_->stress(f) + j_pressure * f.inverse().transpose()) * p.gradient;
+                nodal += p.volume * (shape_.stress(at(e, q), f) + j_pressure * f.inverse().transpose()) * p.gradient;
             }
             points_.scatter(nodal, e, force);
         }
@@ -83,7 +83,7 @@ public:
             for (int q = 0; q < points_.count(); ++q) {
                 const auto& p = points_.of(e)[q];
                 const double t = theta.dot(basis_of(e)[q]);
-                energy += p.volume * (shape_->energy(deformation(p, u)) + 0.5 * bulk_ * t * t);
+                energy += p.volume * (shape_.energy(at(e, q), deformation(p, u)) + 0.5 * bulk_ * t * t);
             }
         }
         return energy;
@@ -97,7 +97,7 @@ public:
             const Basis pressure = bulk_ * dilatation(e, u);
             Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
             for (int q = 0; q < points_.count(); ++q) {
-                mean += shape_->cauchy(deformation(points_.of(e)[q], u)) / points_.count();
+                mean += shape_.cauchy(at(e, q), deformation(points_.of(e)[q], u)) / points_.count();
                 mean.diagonal().array() += pressure.dot(basis_of(e)[q]) / points_.count();
             }
             for (int i = 0; i < 3; ++i)
@@ -106,11 +106,31 @@ public:
         return result;
     }
 
-private:
-    const Basis* basis_of(int element) const
+    void accept(const Eigen::VectorXd& displacement) override
     {
-        return basis_.data() + static_cast<std::size_t>(element) * points_.count();
+        if (!shape_.softens()) return;
+        for (int e = 0; e < points_.elements(); ++e) {
+            const Nodal u = points_.gather(displacement, e);
+            for (int q = 0; q < points_.count(); ++q) shape_.accept(at(e, q), deformation(points_.of(e)[q], u));
+        }
     }
+
+    double lost_energy() const override
+    {
+        double energy = 0;
+        if (!shape_.softens()) return energy;
+        for (int e = 0; e < points_.own_elements(); ++e)
+            for (int q = 0; q < points_.count(); ++q) energy += points_.of(e)[q].volume * shape_.lost(at(e, q));
+        return energy;
+    }
+
+private:
+    /// Number of an element's integration point among all.
+    std::size_t at(int element, int q) const
+    {
+        return static_cast<std::size_t>(element) * points_.count() + static_cast<std::size_t>(q);
+    }
+    const Basis* basis_of(int element) const { return basis_.data() + at(element, 0); }
     static Tensor<D> deformation(const typename Points::Point& p, const Nodal& u)
     {
         return Tensor<D>::Identity() + u * p.gradient.transpose();
@@ -144,7 +164,8 @@ private:
             const auto& p = points_.of(e)[q];
             const Tensor<D> f = deformation(p, u), h = f.inverse().transpose();
             const double j = p.volume * f.determinant();
-            const Tangent<D> a = p.volume * shape_->tangent(f) + j * pressure.dot(basis_of(e)[q]) * cofactor_slope(h);
+            const Tangent<D> a =
+                p.volume * shape_.tangent(at(e, q), f) + j * pressure.dot(basis_of(e)[q]) * cofactor_slope(h);
             add_products<D>(a, p.gradient, p.gradient, k);
             const Nodal slope = j * h * p.gradient; // dJ/du_a
             b += basis_of(e)[q] * slope.reshaped().transpose();
@@ -165,7 +186,7 @@ private:
 
     const MatrixPattern* pattern_;
     Points points_;
-    std::unique_ptr<PointLaw<D>> shape_; // the law without its volume part
+    ShapeLaw<D> shape_; // the law without its volume part
     double bulk_, density_;
     std::vector<Basis> basis_; // per point
     std::vector<Gram> inverse_gram_;

@@ -45,8 +45,12 @@ public:
     virtual void add_stiffness(const Eigen::VectorXd& displacement, Matrix& matrix) = 0;
     /// Consistent mass M_ab = integral of rho N_a N_b dV [kg] (2D: kg/m), added to `matrix`.
     virtual void add_mass(Matrix& matrix) const = 0;
-    /// Strain energy of this rank's own elements, integral of w(F) dV [J] (2D: J/m).
+    /// Strain energy of this rank's own elements, integral of w(F) dV [J] (2D: J/m): what can be had back of it.
     virtual double strain_energy(const Eigen::VectorXd& displacement) = 0;
+    /// What the material of these elements has taken for good [J] (2D: J/m).
+    virtual double lost_energy() const { return 0; }
+    /// Remembers a displacement that has come about, where the material has a memory.
+    virtual void accept(const Eigen::VectorXd&) {}
     /// Cauchy stress, mean over each element's integration points [Pa]: 9 numbers per own element, row by row.
     virtual std::vector<double> stress(const Eigen::VectorXd& displacement) = 0;
 };

@@ -87,6 +87,13 @@ public:
     {
         return map_.team().sum(body_->strain_energy(motion.displacement));
     }
+    double lost_energy() const { return map_.team().sum(body_->lost_energy()); }
+    /// What remembers takes note of a motion that has come about: the material, and the contact at its time [s].
+    void accept(const Motion& motion, double time)
+    {
+        body_->accept(motion.displacement);
+        contact_->accept(motion, time);
+    }
     /// Potential of gravity, - g . M u; zero in the reference state.
     double potential_energy(const Motion& motion) const { return -map_.dot(motion.displacement, gravity_); }
     /// M times a field.

@@ -77,6 +77,13 @@ base::Table<MaterialConfig> material_table()
         .key("curve", &MaterialConfig::curve,
              {.doc = "marlow: CSV of a tension test with the columns strain[-] and stress[Pa], both nominal; a path "
                      "from the folder of this file"})
+        .key("softening_r", &MaterialConfig::softening_r,
+             {.unit = "-",
+              .doc = "damage on unloading (Ogden and Roxburgh): stress times 1 - erf((W - w)/(m + beta W))/r, w the "
+                     "energy of shape and W the largest so far; 0: none, else 1 or more. Mixed formulation only",
+              .min = 0})
+        .key("softening_m", &MaterialConfig::softening_m, {.unit = "J/m^3", .doc = "m there, above zero", .min = 0})
+        .key("softening_beta", &MaterialConfig::softening_beta, {.unit = "-", .doc = "beta there", .min = 0})
         .key("stability_range", &MaterialConfig::stability_range,
              {.unit = "-",
               .doc = "principal stretches within which the law's Drucker stability is looked at",

@@ -36,6 +36,7 @@ struct MaterialConfig {
     double c10 = 0, c01 = 0;               // mooney_rivlin
     std::vector<double> moduli, exponents; // ogden
     std::string curve;                     // marlow
+    double softening_r = 0, softening_m = 0, softening_beta = 0;
     std::vector<double> stability_range = {0.5, 2};
 };
 

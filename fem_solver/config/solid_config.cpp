@@ -83,6 +83,11 @@ void check_material(SolidConfig& config, const base::ConfigReader& reader,
     check_law(config.material, reader, path);
     std::string& curve = config.material.curve;
     if (!curve.empty()) curve = beside(reader, curve);
+    const double r = config.material.softening_r;
+    base::require_input(r == 0 || r >= 1, reader.where(path + ".softening_r"), ": softening_r = ", r,
+                        " is neither 0 (no softening) nor 1 or more");
+    base::require_input(r == 0 || config.material.softening_m > 0, reader.where(path + ".softening_r"),
+                        ": softening needs softening_m above zero");
     const auto& range = config.material.stability_range;
     base::require_input(range.size() == 2 && range[0] < 1 && range[1] > 1, reader.where(path + ".stability_range"),
                         ": stability_range needs two stretches, one below and one above 1");

@@ -16,6 +16,7 @@ struct SolidEnergies {
     double contact = 0;                  ///< work of the contact's pressure
     double friction = 0;                 ///< taken by friction: dissipated where the ground rests
     double damping = 0;                  ///< dissipated by C v
+    double material = 0;                 ///< dissipated in the material
     double numerical_dissipation = 0;    ///< of the time scheme; second order in dt and not of one sign
     double balance_error = 0;            ///< what is left of the energy identity, see EnergyLedger
 

@@ -5,6 +5,7 @@
 #include "fem_solver/material/neo_hookean.hpp"
 #include "fem_solver/material/neo_hookean_log.hpp"
 #include "fem_solver/material/ogden.hpp"
+#include "fem_solver/material/softening.hpp"
 
 #include <variant>
 
@@ -16,11 +17,12 @@ using Law = std::variant<SmallElastic, SaintVenantKirchhoff, NeoHookean, NeoHook
 /// What two dimensions stand for: no stretch across the plane, or no stress.
 enum class Sheet { plane_strain, plane_stress };
 
-/// A law, the mass density in the reference state [kg/m^3], and in 2D what is assumed across the plane.
+/// A law, the mass density in the reference state [kg/m^3], in 2D what is assumed across the plane, and what is lost.
 struct Material {
     Law law;
     double density = 0;
     Sheet sheet = Sheet::plane_strain;
+    Softening softening = {}; ///< of the law's shape; mixed formulation only
 };
 
 /// Cauchy stress of a law [Pa], always 3 x 3; plane strain brings its normal stress across the plane.

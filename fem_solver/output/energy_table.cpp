@@ -10,7 +10,7 @@ std::vector<std::string> header(int dimension, const std::vector<std::string>& l
     std::vector<std::string> columns{"t[s]", "dt[s]"};
     for (const char* name :
          {"kinetic", "strain", "potential", "work_interface", "work_supports", "work_loads", "contact", "friction",
-          "numerical_dissipation", "balance_error", "damping", "work_correction"})
+          "numerical_dissipation", "balance_error", "damping", "work_correction", "material"})
         columns.push_back(std::string(name) + (dimension == 2 ? "[J/m]" : "[J]"));
     const char* unit = dimension == 2 ? "[J/m]" : "[J]";
     for (const std::string& name : loads) columns.push_back("work_load." + name + unit);
@@ -42,7 +42,8 @@ void EnergyTable::write(double time, double dt, const SolidEnergies& e)
                             e.numerical_dissipation,
                             e.balance_error,
                             e.damping,
-                            e.work_correction};
+                            e.work_correction,
+                            e.material};
     row.insert(row.end(), e.work_of_load.begin(), e.work_of_load.end());
     row.insert(row.end(), e.work_of_support.begin(), e.work_of_support.end());
     file_.row(row);

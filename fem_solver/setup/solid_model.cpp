@@ -40,6 +40,7 @@ Material sheet_material(const SolidConfig& config)
 {
     Material material = make_material(config.material);
     if (config.model.assumption == "plane_stress") material.sheet = Sheet::plane_stress;
+    material.softening = {config.material.softening_r, config.material.softening_m, config.material.softening_beta};
     return material;
 }
 

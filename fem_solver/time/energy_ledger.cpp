@@ -12,6 +12,7 @@ void EnergyLedger::start(const Motion& motion, const Forces& forces)
     energies_.strain = forces_->strain_energy(motion);
     energies_.potential = forces_->potential_energy(motion);
     initial_total_ = energies_.total();
+    initial_material_ = forces_->lost_energy();
     energies_.work_of_load.assign(forces.each_load.size(), 0.0);
     energies_.work_of_support.assign(supports_->groups().size(), 0.0);
     weighted_ = forces;
@@ -45,20 +46,22 @@ void EnergyLedger::account(const Motion& motion_n, const Motion& motion_np1, con
     energies_.friction -= work(weighted_.friction, weighted_np1.friction);
     energies_.damping += work(weighted_.damping, weighted_np1.damping);
 
-    const double strain = forces_->strain_energy(motion_np1);
+    const double strain = forces_->strain_energy(motion_np1), material = forces_->lost_energy() - initial_material_;
     const Eigen::VectorXd da = motion_np1.acceleration - motion_n.acceleration;
     const Eigen::VectorXd inertia_da = forces_->inertia(da);
     const double growth = 0.5 * map.dot(inertia_da, motion_np1.acceleration + motion_n.acceleration); // d(1/2 a.M a)
     energies_.numerical_dissipation +=
-        work(weighted_.internal, weighted_np1.internal) - (strain - energies_.strain) +
+        work(weighted_.internal, weighted_np1.internal) - (strain - energies_.strain) -
+        (material - energies_.material) +
         dt * dt * (hht_.beta() - 0.5 * gamma) * (growth + (gamma - 0.5) * map.dot(da, inertia_da));
 
     energies_.kinetic = forces_->kinetic_energy(motion_np1);
     energies_.strain = strain;
+    energies_.material = material;
     energies_.potential = forces_->potential_energy(motion_np1);
     energies_.balance_error = energies_.total() - initial_total_ + energies_.damping + energies_.friction +
-                              energies_.numerical_dissipation - energies_.contact - energies_.work_interface -
-                              energies_.work_supports - energies_.work_loads;
+                              energies_.material + energies_.numerical_dissipation - energies_.contact -
+                              energies_.work_interface - energies_.work_supports - energies_.work_loads;
     weighted_ = weighted_np1;
     reaction_ = reaction_np1;
 }

@@ -13,8 +13,8 @@ namespace fem {
 ///
 ///     dT + <f_int> + <C v> - <f_ext> + dt^2 (beta - gamma/2) [ d(1/2 a.M a) + (gamma - 1/2) da.M da ] = 0
 ///
-/// Every force is booked by its own <f>; what <f_int> exceeds the change of strain energy by belongs, with the last
-/// term, to the numerical dissipation. The rest is the Newton residual's work: `balance_error`.
+/// Every force is booked by its own <f>; what <f_int> exceeds the change of strain energy, and what the material has taken, by
+/// belongs, with the last term, to the numerical dissipation. The rest is the Newton residual's work: `balance_error`.
 ///
 /// Supports on a given path have the path's own velocity and acceleration, which the scheme's two relations miss by
 /// dv - dt [(1-gamma) a_0 + gamma a_1] = r_v and du - dt v_0 - dt^2 [...] = r_u, of third order in dt. That part of the
@@ -31,7 +31,7 @@ public:
 
     /// Opens the books with the forces of the initial state, from which the initial acceleration was solved.
     void start(const Motion& motion, const Forces& forces);
-    /// Books a converged step. \param forces_n, forces_np1 forces at its start and end.
+    /// Books a converged step, which the material has accepted. \param forces_n, forces_np1 forces at its start and end.
     void account(const Motion& motion_n, const Motion& motion_np1, const Forces& forces_n, const Forces& forces_np1,
                  double dt);
     const SolidEnergies& energies() const { return energies_; }
@@ -46,7 +46,7 @@ private:
     const Supports* supports_;
     Hht hht_;
     SolidEnergies energies_;
-    double initial_total_ = 0;
+    double initial_total_ = 0, initial_material_ = 0;
     Forces weighted_;          // f^h of the last step
     Eigen::VectorXd reaction_; // of the last step
 };

@@ -72,8 +72,8 @@ void SolidStep::advance_part(Motion& motion, double dt, const std::function<void
         const double length = dt * stride / most_parts;
         set_load(static_cast<double>(done + stride) / most_parts);
         if (attempt(motion, length)) {
+            model_.accept(motion, time_ + length);
             ledger_.account(motion_n, motion, forces_n_, forces_np1_, length);
-            model_.contact().accept(motion, time_ + length);
             std::swap(forces_n_, forces_np1_);
             time_ += length;
             ++sub_steps_;

@@ -82,7 +82,7 @@ bool StaticSolution::equilibrate(Motion& motion, double factor)
         if (contact == Augmentation::unsettled)
             return fails({Failure::Kind::unsettled, {}, -1, model_.contact().complaint()});
     }
-    model_.contact().accept(motion, time(factor));
+    model_.accept(motion, time(factor));
     return true;
 }
 

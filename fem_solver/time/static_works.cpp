@@ -35,9 +35,10 @@ void StaticWorks::account(const Motion& motion, const Forces& now)
     energies_.work_loads = sum(energies_.work_of_load);
     energies_.work_supports = sum(energies_.work_of_support);
     energies_.strain = forces_->strain_energy(motion);
+    energies_.material = forces_->lost_energy();
     energies_.potential = forces_->potential_energy(motion);
-    energies_.balance_error = energies_.strain - first_strain_ + energies_.friction - energies_.work_loads -
-                              energies_.work_supports - energies_.contact - gravity_;
+    energies_.balance_error = energies_.strain - first_strain_ + energies_.material + energies_.friction -
+                              energies_.work_loads - energies_.work_supports - energies_.contact - gravity_;
     displacement_ = motion.displacement;
     last_ = now;
 }

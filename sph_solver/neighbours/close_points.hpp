@@ -30,34 +30,45 @@ inline constexpr auto left_packed = [] {
     return table;
 }();
 
-/// Writes those of the first `count` indices whose number is below the limit and which are not `excluded`. Returns the
-/// end of what it has kept; always writes a pack of them.
-[[gnu::always_inline]] inline int* keep_below(Pack number, double limit, PackIndices indices, int excluded, int count,
-                                              int* out)
+/// Where a selection stands.
+struct Selected {
+    int* end;       ///< of the indices it has kept
+    int before = 0; ///< how many of these are less than i
+};
+
+/// Writes those of the first `count` indices whose number is below the limit and which are not i; always writes a pack
+/// of them.
+[[gnu::always_inline]] inline void keep_below(Selected& selected, Pack number, double limit, PackIndices indices, int i,
+                                              int count)
 {
 #if defined(__AVX512F__) && defined(__AVX512VL__)
     const auto first = static_cast<__mmask8>(count >= 8 ? 0xff : (1 << count) - 1);
     const auto lanes = reinterpret_cast<__m256i>(indices);
-    const __mmask8 others = _mm256_mask_cmpneq_epi32_mask(first, lanes, _mm256_set1_epi32(excluded));
+    const __m256i own = _mm256_set1_epi32(i);
+    const __mmask8 others = _mm256_mask_cmpneq_epi32_mask(first, lanes, own);
     const __mmask8 kept = _mm512_mask_cmp_pd_mask(others, number, _mm512_set1_pd(limit), _CMP_LT_OQ);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi32(kept, lanes));
-    return out + __builtin_popcount(kept);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(selected.end), _mm256_maskz_compress_epi32(kept, lanes));
+    selected.end += __builtin_popcount(kept);
+    selected.before += __builtin_popcount(_mm256_mask_cmplt_epi32_mask(kept, lanes, own));
 #elif defined(__AVX2__)
     const auto lanes = reinterpret_cast<__m128i>(indices);
     const int first = count >= 4 ? 0xf : (1 << count) - 1;
-    const int own = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(lanes, _mm_set1_epi32(excluded))));
+    const int own = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(lanes, _mm_set1_epi32(i))));
+    const int less = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmplt_epi32(lanes, _mm_set1_epi32(i))));
     const int below = _mm256_movemask_pd(_mm256_cmp_pd(number, _mm256_set1_pd(limit), _CMP_LT_OQ));
     const int kept = below & first & ~own;
     __m128i places;
     std::memcpy(&places, left_packed[static_cast<std::size_t>(kept)].data(), sizeof places);
-    _mm_storeu_ps(reinterpret_cast<float*>(out), _mm_permutevar_ps(_mm_castsi128_ps(lanes), places));
-    return out + __builtin_popcount(static_cast<unsigned>(kept));
+    _mm_storeu_ps(reinterpret_cast<float*>(selected.end), _mm_permutevar_ps(_mm_castsi128_ps(lanes), places));
+    selected.end += __builtin_popcount(static_cast<unsigned>(kept));
+    selected.before += __builtin_popcount(static_cast<unsigned>(kept & less));
 #else
     for (int lane = 0; lane < std::min(count, static_cast<int>(pack_lanes)); ++lane) {
-        *out = indices[lane];
-        out += static_cast<int>(number[lane] < limit) & static_cast<int>(indices[lane] != excluded);
+        const int kept = static_cast<int>(number[lane] < limit) & static_cast<int>(indices[lane] != i);
+        *selected.end = indices[lane];
+        selected.end += kept;
+        selected.before += kept & static_cast<int>(indices[lane] < i);
     }
-    return out;
 #endif
 }
 
@@ -81,15 +92,16 @@ public:
             column[d] = columns_[d].data();
             x_i[d] = column[d][i];
         }
+        Selected selected{out};
         for (int j = begin; j < end; j += static_cast<int>(pack_lanes)) {
             Pack square{};
             for (std::size_t d = 0; d < D; ++d) {
                 const Pack x = load_pack(column[d] + j) - x_i[d];
                 square = d == 0 ? x * x : square + x * x;
             }
-            out = keep_below(square, limit, counted + j, i, end - j, out);
+            keep_below(selected, square, limit, counted + j, i, end - j);
         }
-        return out;
+        return selected.end;
     }
 
 private:
@@ -115,21 +127,24 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i) set(static_cast<int>(i), points[i]);
     }
 
-    /// Writes those of a list that have |x_j - x_i|^2 < limit to `out`, in its order. Returns the end of what it has
-    /// kept. \pre room for as many indices and the overhang
-    int* select(int i, double limit, std::span<const int> listed, int* out) const
+    /// Writes those of a list that have |x_j - x_i|^2 < limit to `out`, in its order. \pre room for as many indices and
+    /// the overhang
+    Selected select(int i, double limit, std::span<const int> listed, int* out) const
     {
+        Selected selected{out};
         std::size_t n = 0;
         for (; n + pack_lanes <= listed.size(); n += pack_lanes) {
             PackIndices indices;
             std::memcpy(&indices, listed.data() + n, sizeof indices);
-            out = keep_below(squares(i, listed.data() + n), limit, indices, i, static_cast<int>(pack_lanes), out);
+            keep_below(selected, squares(i, listed.data() + n), limit, indices, i, static_cast<int>(pack_lanes));
         }
         for (; n < listed.size(); ++n) {
-            *out = listed[n];
-            out += square(i, listed[n]) < limit ? 1 : 0;
+            const int kept = square(i, listed[n]) < limit ? 1 : 0;
+            *selected.end = listed[n];
+            selected.end += kept;
+            selected.before += kept & static_cast<int>(listed[n] < i);
         }
-        return out;
+        return selected;
     }
 
 private:

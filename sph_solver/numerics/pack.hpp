@@ -119,6 +119,12 @@ inline Pack load_pack(const double* from)
     return pack;
 }
 
+inline void add_pack(double* to, Pack pack)
+{
+    pack += load_pack(to);
+    std::memcpy(to, &pack, sizeof(pack));
+}
+
 /// Calls visit(part, n) for the packs of a row of `count` entries: n is a pack's first entry, ascending, and `part`, a
 /// constant, tells which part of a unit it is.
 template<class Visit> [[gnu::always_inline]] inline void for_each_part(std::size_t count, Visit visit)

@@ -39,14 +39,13 @@ inline Pack joined(FourNumbers low, FourNumbers high)
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Eight columns of eight rows: out[c] holds component c of the rows 0..7.
-[[gnu::always_inline]] inline std::array<Pack, 8> eight_columns(const std::array<const double*, 8>& row)
+/// Rows and columns of eight by eight numbers, exchanged.
+[[gnu::always_inline]] inline std::array<Pack, 8> transposed(const std::array<Pack, 8>& row)
 {
     std::array<Pack, 8> pair, four, out;
     for (std::size_t k = 0; k < 4; ++k) { // columns 2m and 2m + 1 of rows 2k and 2k + 1, in piece m
-        const Pack even = load_pack(row[2 * k]), odd = load_pack(row[2 * k + 1]);
-        pair[2 * k] = even_lanes(even, odd);
-        pair[2 * k + 1] = odd_lanes(even, odd);
+        pair[2 * k] = even_lanes(row[2 * k], row[2 * k + 1]);
+        pair[2 * k + 1] = odd_lanes(row[2 * k], row[2 * k + 1]);
     }
     for (std::size_t k = 0; k < 2; ++k) { // columns {0, 4} and {2, 6} of rows 4k..4k + 3; and their odd neighbours
         for (std::size_t odd = 0; odd < 2; ++odd) {
@@ -60,6 +59,21 @@ inline Pack joined(FourNumbers low, FourNumbers high)
     }
     return out;
 }
+
+/// Eight columns of eight rows: out[c] holds component c of the rows 0..7.
+[[gnu::always_inline]] inline std::array<Pack, 8> eight_columns(const std::array<const double*, 8>& row)
+{
+    std::array<Pack, 8> rows;
+    for (std::size_t k = 0; k < 8; ++k) rows[k] = load_pack(row[k]);
+    return transposed(rows);
+}
+
+/// The rows 0..7 of eight columns, each added to the eight numbers at place(k), one after the other.
+template<class Place> [[gnu::always_inline]] inline void add_rows(const std::array<Pack, 8>& column, Place place)
+{
+    const auto row = transposed(column);
+    for (std::size_t k = 0; k < 8; ++k) add_pack(place(k), row[k]);
+}
 #else
 /// Eight columns of four rows, two at a time: out[c] holds component c of the rows 0..3.
 [[gnu::always_inline]] inline std::array<Pack, 8> eight_columns(const std::array<const double*, 4>& row)
@@ -72,6 +86,26 @@ inline Pack joined(FourNumbers low, FourNumbers high)
         out[c + 1] = odd_lanes(even, odd);
     }
     return out;
+}
+
+/// Rows and columns of four by four numbers, exchanged.
+[[gnu::always_inline]] inline std::array<Pack, 4> transposed(Pack a, Pack b, Pack c, Pack d)
+{
+    const Pack even_ab = even_lanes(a, b), odd_ab = odd_lanes(a, b);
+    const Pack even_cd = even_lanes(c, d), odd_cd = odd_lanes(c, d);
+    return {even_pieces(even_ab, even_cd), even_pieces(odd_ab, odd_cd), odd_pieces(even_ab, even_cd),
+            odd_pieces(odd_ab, odd_cd)};
+}
+
+/// The rows 0..3 of eight columns, each added to the eight numbers at place(k), one after the other.
+template<class Place> [[gnu::always_inline]] inline void add_rows(const std::array<Pack, 8>& column, Place place)
+{
+    const auto low = transposed(column[0], column[1], column[2], column[3]);
+    const auto high = transposed(column[4], column[5], column[6], column[7]);
+    for (std::size_t k = 0; k < 4; ++k) {
+        add_pack(place(k), low[k]);
+        add_pack(place(k) + 4, high[k]);
+    }
 }
 #endif
 

@@ -18,27 +18,39 @@ template<std::size_t D, class Row>
     return sum;
 }
 
-/// The same sums as FluxSums, neighbours side by side.
-template<int D> struct FluxPacks {
+/// The numbers of FluxSums in a row, whole cache lines; what one of them says of i, its opposite says of j, but for
+/// those that both sides of a face get alike.
+template<int D, bool shifts> struct FluxRow {
     static constexpr std::size_t mass = 0, by_mass = 1, by_pressure = 1 + D, dilation = 1 + 2 * D, swept = 2 + 2 * D;
-    static constexpr std::size_t count = 3 + 2 * D;
+    static constexpr std::size_t count = shifts ? 3 + 2 * D : 2 + 2 * D;
+    static constexpr std::size_t size = count <= 8 ? 8 : 16;
 
-    static void write(FluxSums<D>& result, const PartSums<count>& parts)
+    alignas(64) std::array<double, size> data{};
+
+    /// The sums of this row and of what the lanes hold.
+    [[nodiscard]] FluxSums<D> plus(const PartSums<count>& parts) const
     {
-        const auto total = sum_lanes_of(parts);
-        result.mass = total[mass];
+        const auto right = sum_lanes_of(parts);
+        const auto at = [&](std::size_t n) { return data[n] + right[n]; };
+        FluxSums<D> total;
+        total.mass = at(mass);
         for (std::size_t a = 0; a < D; ++a) {
-            result.by_mass[static_cast<int>(a)] = total[by_mass + a];
-            result.by_pressure[static_cast<int>(a)] = total[by_pressure + a];
+            total.by_mass[static_cast<int>(a)] = at(by_mass + a);
+            total.by_pressure[static_cast<int>(a)] = at(by_pressure + a);
         }
-        result.dilation = total[dilation];
-        result.swept = total[swept];
+        total.dilation = at(dilation);
+        if constexpr (shifts) total.swept = at(swept);
+        return total;
     }
 };
 
 /// The faces of a batch of particles towards their neighbours, in packs. The work is split in three loops over
 /// the packs: each pack is a long chain of dependent operations, and a processor overlaps the chains of several packs
 /// where the loops are short in code and long in turns.
+///
+/// A face is solved once, by the row of its first particle, which gives the other its opposite. The sums of a particle
+/// are those of the faces before it, one after the other, and then the tree over those behind: so they keep their
+/// bits where a face before it must be solved by the row itself, because the other particle has no row here.
 template<int D, class AnyLimiter, class Motion, class Area> class FaceBatch {
 public:
     FaceBatch(const PairRecords<D>& records, std::size_t longest_row, const FluidModel<D>& model, AnyLimiter limiter,
@@ -47,15 +59,20 @@ public:
           model_(model),
           limiter_(limiter),
           motion_(motion),
-          faces_(filled + longest_row / pack_lanes)
+          faces_(filled + longest_row / pack_lanes + 2),
+          received_(records.size())
     {}
 
-    /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved.
-    void reconstruct(int i, std::span<const int> neighbours, FluxSums<D>& sums)
+    /// 1. Reconstructs the faces of particle i, whose sums go to `sums` when the batch is solved. Rows come in
+    /// ascending order.
+    /// \param before neighbours j < i, if i has to solve these faces itself; then all of them
+    /// \param after neighbours j > i, whole packs
+    void reconstruct(int i, std::span<const int> before, std::span<const int> after, FluxSums<D>& sums)
     {
-        for (std::size_t n = 0; n < neighbours.size(); n += pack_lanes)
-            reconstruct_pack(faces_[size_++], records_.state(i), records_.slope(i), i, &neighbours[n]);
-        rows_[row_count_++] = {&sums, neighbours.size()};
+        for (const auto side : {before, after})
+            for (std::size_t n = 0; n < side.size(); n += pack_lanes)
+                reconstruct_pack(faces_[size_++], records_.state(i), records_.slope(i), i, &side[n]);
+        rows_[row_count_++] = {i, before.size(), after, &sums};
     }
 
     bool full() const { return size_ >= filled || row_count_ == rows_.size(); }
@@ -64,13 +81,10 @@ public:
     void solve()
     {
         std::visit([this](auto riemann) { solve_riemann_problems(riemann); }, model_.riemann);
-        std::size_t n = 0;
-        for (std::size_t row = 0; row < row_count_; ++row) {
-            PartSums<FluxPacks<D>::count> parts{};
-            for_each_part(
-                rows_[row].length, [&](auto part, std::size_t)
-                                       __attribute__((always_inline)) { add(parts[part], faces_[n++]); });
-            FluxPacks<D>::write(*rows_[row].sums, parts);
+        const Faces* faces = faces_.data();
+        for (const Row& row : std::span(rows_).first(row_count_)) {
+            faces = sum_before(faces, row);
+            faces = sum_after(faces, row);
         }
         size_ = 0;
         row_count_ = 0;
@@ -79,9 +93,14 @@ public:
 private:
     static constexpr std::size_t filled = 40; // packs: the batch stays within the nearest caches
 
+    using Received = FluxRow<D, Motion::shifts>;
+    using Columns = std::array<Pack, Received::size>;
+
     struct Row {
+        int particle = 0;
+        std::size_t before = 0;     // faces solved here
+        std::span<const int> after; // whole packs
         FluxSums<D>* sums = nullptr;
-        std::size_t length = 0; // entries, whole packs
     };
 
     /// Faces of one particle, a pack of them, as each loop leaves them to the next.
@@ -156,28 +175,69 @@ private:
         for (std::size_t n = 0; n < size_; ++n) faces_[n].star = riemann(faces_[n].sides);
     }
 
-    [[gnu::always_inline]] inline void add(std::array<Pack, FluxPacks<D>::count>& sums, const Faces& faces) const
+    /// What i gets through a pack of faces, and what the others get.
+    [[gnu::always_inline]] inline void cross(const Faces& faces, Columns& here, Columns& there) const
     {
-        using At = FluxPacks<D>;
+        using At = Received;
         const Tait& eos = model_.eos;
         const auto transport = motion_(eos.c0 * faces.star.u, faces.shift);
         const Pack per_length = faces.strength * faces.frame.inverse_distance;
         const Pack pressure = eos.pressure_at_ratio(faces.star.q) * per_length;
         const auto& direction = Area::renormalises ? faces.direction : faces.frame.x;
-        for (std::size_t a = 0; a < D; ++a)
-            sums[At::by_pressure + a] = multiply_add(-pressure, direction[a], sums[At::by_pressure + a]);
-        if constexpr (Area::renormalises)
-            sums[At::dilation] = multiply_add(per_length, faces.opening, sums[At::dilation]);
-        if constexpr (Motion::dilates)
-            sums[At::dilation] = multiply_add(faces.strength, transport.dilation, sums[At::dilation]);
-        if constexpr (Motion::shifts) sums[At::swept] = multiply_add(faces.strength, transport.swept, sums[At::swept]);
+        for (std::size_t a = 0; a < D; ++a) there[At::by_pressure + a] = pressure * direction[a];
         if constexpr (Motion::exchanges_mass) {
             const auto velocity = face_velocity(faces.frame, transport.relative, limiter_);
-            const Pack mass_flux = faces.strength * (eos.rho0 * faces.star.q * transport.relative);
-            sums[At::mass] -= mass_flux;
-            for (std::size_t a = 0; a < D; ++a)
-                sums[At::by_mass + a] = multiply_add(-mass_flux, velocity[a], sums[At::by_mass + a]);
+            there[At::mass] = faces.strength * (eos.rho0 * faces.star.q * transport.relative);
+            for (std::size_t a = 0; a < D; ++a) there[At::by_mass + a] = there[At::mass] * velocity[a];
         }
+        if constexpr (Motion::dilates) there[At::dilation] = -(faces.strength * transport.dilation);
+        for (std::size_t n = 0; n < At::count; ++n) here[n] = -there[n];
+        if constexpr (Area::renormalises) { // both sides alike
+            const Pack opened = per_length * faces.opening;
+            here[At::dilation] += opened;
+            there[At::dilation] += opened;
+        }
+        if constexpr (Motion::shifts) here[At::swept] = there[At::swept] = faces.strength * transport.swept;
+    }
+
+    /// Adds what each lane of a pack gives to the row at place(lane).
+    template<class Place> [[gnu::always_inline]] static inline void add_lanes(const Columns& columns, Place place)
+    {
+        for (std::size_t begin = 0; begin < Received::size; begin += 8) {
+            std::array<Pack, 8> part;
+            for (std::size_t n = 0; n < 8; ++n) part[n] = columns[begin + n];
+            add_rows(part, [&](std::size_t lane) { return place(lane).data.data() + begin; });
+        }
+    }
+
+    /// Where a row solves the faces before it, what it has received counts for nothing.
+    const Faces* sum_before(const Faces* faces, const Row& row)
+    {
+        if (row.before == 0) return faces;
+        Received sum, beyond;
+        for (std::size_t n = 0; n < row.before; n += pack_lanes) {
+            Columns here{}, there{};
+            cross(*faces++, here, there);
+            add_lanes(here, [&](std::size_t lane) -> Received& { return n + lane < row.before ? sum : beyond; });
+        }
+        received_[static_cast<std::size_t>(row.particle)] = sum;
+        return faces;
+    }
+
+    const Faces* sum_after(const Faces* faces, const Row& row)
+    {
+        PartSums<Received::count> parts{};
+        for_each_part(
+            row.after.size(), [&](auto part, std::size_t n) __attribute__((always_inline)) {
+                Columns here{}, there{};
+                cross(*faces++, here, there);
+                unrolled<Received::count>([&](auto k) __attribute__((always_inline)) { parts[part][k] += here[k]; });
+                add_lanes(there, [&](std::size_t lane) -> Received& {
+                    return received_[static_cast<std::size_t>(row.after[n + lane])];
+                });
+            });
+        *row.sums = received_[static_cast<std::size_t>(row.particle)].plus(parts);
+        return faces;
     }
 
     const PairRecords<D>& records_;
@@ -187,6 +247,7 @@ private:
     std::size_t size_ = 0, row_count_ = 0;
     std::array<Row, 32> rows_;
     std::vector<Faces> faces_;
+    std::vector<Received> received_; ///< by each local particle from the faces before it
 };
 
 } // namespace sph

@@ -3,8 +3,29 @@
 
 #include "sph_solver/operators/face_batch.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace sph {
 namespace {
+
+/// Marks the local particles of some rows. Empty: all of them.
+std::vector<std::uint8_t> particles_of(const RowSet& rows, std::size_t particles)
+{
+    std::vector<std::uint8_t> marks;
+    if (rows.size() == particles) return marks;
+    marks.resize(particles);
+    rows.for_each([&](std::size_t, int i) { marks[static_cast<std::size_t>(i)] = 1; });
+    return marks;
+}
+
+/// The neighbours before a row, where one of them has no row that could solve its face; else none.
+std::span<const int> to_solve(std::span<const int> before, const std::vector<std::uint8_t>& marks)
+{
+    const bool all = marks.empty() || std::all_of(before.begin(), before.end(),
+                                                  [&](int j) { return marks[static_cast<std::size_t>(j)] != 0; });
+    return all ? std::span<const int>{} : before;
+}
 
 template<int D, class AnyLimiter, class Motion, class Area>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
@@ -12,8 +33,9 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
 {
     if (rows.size() == 0) return;
     FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest, model, limiter, motion);
+    const auto marks = particles_of(rows, records.size());
     rows.for_each([&](std::size_t k, int i) {
-        batch.reconstruct(i, neighbours.packs_of(k), sums[k]);
+        batch.reconstruct(i, to_solve(neighbours.before(k), marks), neighbours.packs_after(k), sums[k]);
         if (batch.full()) batch.solve();
     });
     batch.solve();

@@ -14,10 +14,10 @@ namespace sph {
 ///
 ///     dm_i/dt = -sum S mf,   dP_i/dt = -sum S (mf v_e + p_e n),   dw_i/dt += sum S u_face
 ///
-/// Every particle sums its own full row in the list's order, so that its result does not depend on the partition; the
-/// pair seen from the other side gives the exactly opposite flux. Adds to `rates` and makes `sums`
-/// anew, for the given rows.
-/// \pre records hold states and slopes of the present state.
+/// A face between two particles of the given rows is solved once (FaceBatch); the pair seen from the other side gives
+/// the exactly opposite flux, and sums keep their order, so that results do not depend on which rows are given or on the
+/// partition. Adds to `rates` and makes `sums` anew, for the given rows.
+/// \pre records hold states and slopes of the present state; rows ascend.
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
                           const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model);

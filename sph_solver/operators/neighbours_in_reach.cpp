@@ -20,9 +20,10 @@ template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, 
     points_.resize(particles.size());
     const std::size_t rows = neighbours.rows();
     reached_.begins.resize(rows);
+    reached_.splits.resize(rows);
     reached_.ends.resize(rows);
-    // A row takes up to a unit more than its candidates: the one to fill up, and the one written past the end.
-    const std::size_t room = neighbours.indices.size() + (rows + 1) * row_unit;
+    // A row takes up to two units more than its candidates: the one behind it, and the one to fill up.
+    const std::size_t room = neighbours.indices.size() + 2 * (rows + 2) * row_unit;
     if (reached_.indices.size() < room) reached_.indices.resize(room);
     reached_.longest = 0;
     next_ = 0;
@@ -39,13 +40,14 @@ template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbour
     int* out = first + next_;
     std::size_t longest = reached_.longest;
     rows.for_each([&](std::size_t k, int i) {
-        int* const end = points_.select(i, limit_, neighbours.of(k), out);
+        const auto [end, before] = points_.select(i, limit_, neighbours.of(k), out);
         reached_.begins[k] = static_cast<std::size_t>(out - first);
+        const auto length = static_cast<std::size_t>(end - out);
+        std::fill_n(end, 2 * row_unit, i);
+        reached_.splits[k] = reached_.begins[k] + static_cast<std::size_t>(before);
         reached_.ends[k] = static_cast<std::size_t>(end - first);
-        std::fill_n(end, row_unit, i);
-        const std::size_t length = whole_units(static_cast<std::size_t>(end - out));
-        longest = std::max(longest, length);
-        out += length;
+        longest = std::max(longest, whole_units(length));
+        out += whole_units(length + row_unit - 1);
     });
     reached_.longest = longest;
     next_ = static_cast<std::size_t>(out - first);

@@ -12,12 +12,13 @@
 
 namespace sph {
 
-/// Who sees whom now, in the form that the pair loops read: rows over the owned particles, each filled up to whole
-/// units with the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
+/// Who sees whom now, in the form that the pair loops read: rows over the owned particles, ascending, each followed by
+/// a unit or more of the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
 struct ReachedNeighbours {
     std::vector<std::size_t> begins; ///< first entry of each row, a multiple of row_unit
+    std::vector<std::size_t> splits; ///< first neighbour j > i of each row
     std::vector<std::size_t> ends;   ///< one past the last neighbour of each row
-    std::vector<int> indices;        ///< local indices, rows in whole units
+    std::vector<int> indices;        ///< local indices
     std::size_t longest = 0;         ///< entries of the longest row, whole units
 
     [[nodiscard]] std::size_t rows() const { return begins.size(); }
@@ -29,10 +30,19 @@ struct ReachedNeighbours {
     }
 
     /// The same row in whole packs: its last unit may lack the second of two, which would add zero.
-    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
+    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const { return packs(begins[k], ends[k]); }
+
+    /// Its neighbours j < i, and those j > i in whole packs.
+    [[nodiscard]] std::span<const int> before(std::size_t k) const
     {
-        const std::size_t packs = (ends[k] - begins[k] + pack_lanes - 1) / pack_lanes;
-        return {indices.data() + begins[k], packs * pack_lanes};
+        return {indices.data() + begins[k], splits[k] - begins[k]};
+    }
+    [[nodiscard]] std::span<const int> packs_after(std::size_t k) const { return packs(splits[k], ends[k]); }
+
+private:
+    [[nodiscard]] std::span<const int> packs(std::size_t begin, std::size_t end) const
+    {
+        return {indices.data() + begin, (end - begin + pack_lanes - 1) / pack_lanes * pack_lanes};
     }
 };
 

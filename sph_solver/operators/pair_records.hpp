@@ -24,6 +24,8 @@ public:
     /// Reads their gradients, and the factors of pair areas where these are renormalised. \pre they are up to date there.
     void load_slopes(const Particles<D>& particles, const FluidModel<D>& model, const std::vector<int>& which);
 
+    [[nodiscard]] std::size_t size() const { return states_.size(); } ///< local particles
+
     const double* state(int i) const { return states_[static_cast<std::size_t>(i)].data.data(); }
     const double* slope(int i) const { return slopes_[static_cast<std::size_t>(i)].data.data(); }
     /// \pre areas are renormalised

@@ -234,6 +234,9 @@ TEST(SolidConfig, NamesWhatALawLacks)
     expect_error(with_law("law = \"marlow\"\nnu = 0.3"), "curve = ");
     expect_error(with_law("law = \"marlow\"\ncurve = \"missing.csv\"\nnu = 0.3"), "missing.csv");
     expect_error(with_law("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3\nstability_range = [1.5, 2.0]"), "stability_range");
+    expect_error(with_law("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3\nsoftening_r = 0.5\nsoftening_m = 1e3"),
+                 "softening_r = 0.5");
+    expect_error(with_law("law = \"neo_hookean\"\nE = 1e6\nnu = 0.3\nsoftening_r = 2.0"), "softening_m");
 }
 
 } // namespace

@@ -29,7 +29,7 @@ template<int D> void expect_plain_loop()
                     if (x_ij.squaredNorm() < limit) wanted.push_back(j);
                 }
                 ASSERT_EQ(std::vector<int>(found.data(), columns.select(i, limit, begin, end, found.data())), wanted);
-                ASSERT_EQ(std::vector<int>(found.data(), rows.select(i, limit, listed, found.data())), wanted);
+                ASSERT_EQ(std::vector<int>(found.data(), rows.select(i, limit, listed, found.data()).end), wanted);
             }
         }
     }

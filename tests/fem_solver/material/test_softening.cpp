@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "fem_solver/material/shape_law.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace fem;
+
+const Softening softening{1.6, 2e3, 0.1};
+constexpr double peak = 5e4; // [J/m^3]
+
+/// Integral of eta dpsi between two energies below the peak, by Simpson's rule.
+double given_back(double low, double high)
+{
+    const auto eta = [](double psi) { return softening.factor(psi, peak).value; };
+    const int steps = 2000;
+    const double h = (high - low) / steps;
+    double sum = eta(low) + eta(high);
+    for (int k = 1; k < steps; ++k) sum += (k % 2 == 1 ? 4 : 2) * eta(low + k * h);
+    return sum * h / 3;
+}
+
+TEST(Softening, StoresWhatComesBackAndLosesTheRest)
+{
+    EXPECT_NEAR(softening.stored(peak, peak), given_back(0, peak), 1e-9 * peak);
+    EXPECT_NEAR(softening.stored(0.3 * peak, peak), given_back(0, 0.3 * peak), 1e-9 * peak);
+    EXPECT_NEAR(softening.stored(0, peak), 0, 1e-12 * peak);
+    EXPECT_NEAR(softening.stored(peak, peak) + softening.lost(peak), peak, 1e-12 * peak); // up: all of psi's work
+    EXPECT_GT(softening.lost(peak), 0.3 * peak);
+    EXPECT_EQ(softening.lost(0), 0);
+}
+
+TEST(Softening, FactorHasItsSlopeAndIsOneOnTheWayUp)
+{
+    EXPECT_EQ(softening.factor(1.1 * peak, peak).value, 1);
+    EXPECT_EQ(softening.factor(peak, peak).slope, 0);
+    for (const double psi : {0.1 * peak, 0.6 * peak, 0.97 * peak}) {
+        const double h = 1e-5 * peak;
+        const double slope = (softening.factor(psi + h, peak).value - softening.factor(psi - h, peak).value) / (2 * h);
+        EXPECT_NEAR(softening.factor(psi, peak).slope, slope, 1e-7 * slope);
+    }
+}
+
+/// The law at one point, which has been stretched before.
+template<int D> ShapeLaw<D> worn()
+{
+    ShapeLaw<D> law(make_point_law<D>(Law{NeoHookean{{-2e6 * 2 / 3, 2e6}}}), softening, 1);
+    Tensor<D> far = Tensor<D>::Identity();
+    far(0, 0) = 1.5;
+    far(1, 1) = 1 / 1.5;
+    law.accept(0, far);
+    return law;
+}
+
+template<int D> void expect_consistent(const ShapeLaw<D>& law, const Tensor<D>& f)
+{
+    const double h = 1e-6, scale = 2e6;
+    const Tensor<D> stress = law.stress(0, f);
+    const Tangent<D> tangent = law.tangent(0, f);
+    for (int j = 0; j < D; ++j)
+        for (int i = 0; i < D; ++i) {
+            Tensor<D> up = f, down = f;
+            up(i, j) += h;
+            down(i, j) -= h;
+            EXPECT_NEAR((law.energy(0, up) - law.energy(0, down)) / (2 * h), stress(i, j), 2e-8 * scale) << i << j;
+            const Tensor<D> change = (law.stress(0, up) - law.stress(0, down)) / (2 * h);
+            for (int l = 0; l < D; ++l)
+                for (int k = 0; k < D; ++k)
+                    EXPECT_NEAR(change(k, l), tangent(k + D * l, i + D * j), 2e-7 * scale) << k << l << i << j;
+        }
+}
+
+TEST(ShapeLaw, BelowThePeakStressIsTheSlopeOfTheEnergyAndTangentThatOfTheStress)
+{
+    Eigen::Matrix3d f;
+    f << 1.2, 0.1, 0.05, -0.08, 0.9, 0.1, 0.05, -0.1, 1.02;
+    expect_consistent<3>(worn<3>(), f);
+    expect_consistent<2>(worn<2>(), f.topLeftCorner<2, 2>());
+}
+
+TEST(ShapeLaw, WithoutSofteningIsTheLawItself)
+{
+    const Law law{NeoHookean{{1e6, 2e6}}};
+    const auto plain = make_point_law<2>(law);
+    ShapeLaw<2> same(make_point_law<2>(law), {}, 1);
+    Eigen::Matrix2d f;
+    f << 1.2, 0.1, -0.08, 0.9;
+    EXPECT_FALSE(same.softens());
+    EXPECT_EQ(same.stress(0, f), plain->stress(f));
+    EXPECT_EQ(same.tangent(0, f), plain->tangent(f));
+    EXPECT_EQ(same.energy(0, f), plain->energy(f));
+}
+
+} // namespace
