@@ -41,7 +41,7 @@ foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydros
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
 # The solid alone against exact answers, each run short enough as it stands.
-foreach(case elastica rubber_bar thick_cylinder cook turek_hron)
+foreach(case elastica rubber_bar thick_cylinder cook turek_hron tyre_block/dry_slide)
     string(REPLACE / _ name ${case})
     rivage_coupled_test(solid_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --keep-page --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
