@@ -28,6 +28,7 @@ rivage_coupled_test(python_module ${CMAKE_CURRENT_LIST_DIR}/python_module.py --b
 rivage_coupled_test(code_aster ${CMAKE_CURRENT_LIST_DIR}/code_aster.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(fakes ${CMAKE_CURRENT_LIST_DIR}/fakes.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(replay ${CMAKE_CURRENT_LIST_DIR}/replay.py --programs ${RIVAGE_PROGRAMS})
+rivage_coupled_test(closing_gap ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/tyre_block/closing_gap --programs ${RIVAGE_PROGRAMS})
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.
 rivage_coupled_test(moving_piston_acoustic ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/moving_piston/acoustic
                     --programs ${RIVAGE_PROGRAMS})
