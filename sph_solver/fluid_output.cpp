@@ -38,6 +38,12 @@ EnergyRow row_of(const Instant& now, const EnergyBalance& e)
     row.dissipation_walls = e.dissipation_walls;
     row.viscous = e.viscous;
     row.balance_error = e.balance_error;
+    row.momentum = e.momentum;
+    row.impulse_of_walls = e.impulse_of_walls;
+    row.impulse_of_interface = e.impulse_of_interface;
+    row.trapped_particles = e.trapped_particles;
+    row.trapped_mass = e.trapped_mass;
+    row.trapped_energy = e.trapped_energy;
     return row;
 }
 

@@ -63,6 +63,10 @@ std::unique_ptr<HeightField> make_height_formula(const Formula& formula, int dim
 /// \throws Error bad_input for points that are no full lattice of at least 2 a direction.
 std::unique_ptr<HeightField> make_height_table(const std::string& path, int dimension);
 
+/// A height that several programs read from one file: a table as above, or a formula in a TOML file (.toml) with the keys
+/// height = "FORMULA of x, y" [m] and derivative_step [m], 1e-5 unless given.
+std::unique_ptr<HeightField> make_height_file(const std::string& path, int dimension);
+
 /// Triangles whose normals point out of the ground, closed or open: the signed distance to the nearest of them. Around
 /// convex edges and corners the ground is rounded as the distance is, so that the normal is continuous outside; a point
 /// that comes nearest to the rim of an open surface is beyond it and touches nothing.

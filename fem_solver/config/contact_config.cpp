@@ -20,8 +20,9 @@ base::Table<ContactConfig> contact_table()
         .key("derivative_step", &ContactConfig::derivative_step,
              {.unit = "m", .doc = "formula: of its differences; short against its waves", .positive = true})
         .key("file", &ContactConfig::file,
-             {.doc = "table: CSV with x[m], (y[m],) height[m] on a regular lattice, or HDF5 with the datasets x, (y,) "
-                     "height; surface: STL whose normals point out of the ground, in 2D CSV with x[m], y[m] along a "
+             {.doc = "table: CSV with x[m], (y[m],) height[m] on a regular lattice, HDF5 with the datasets x, (y,) "
+                     "height, or TOML with height = \"FORMULA\", which the fluid's wall reads too; surface: STL whose "
+                     "normals point out of the ground, in 2D CSV with x[m], y[m] along a "
                      "line that has the ground on its right; a path from the folder of this file"})
         .key("scale", &ContactConfig::scale,
              {.unit = "m", .doc = "surface: one unit of the STL file, which has none of its own", .positive = true})

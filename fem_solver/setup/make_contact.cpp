@@ -16,7 +16,7 @@ std::shared_ptr<const base::Ground> make_ground(const ContactConfig& config, int
         return dimension == 2 ? base::make_polyline_ground(config.file)
                               : base::make_surface_ground(base::read_stl(config.file, config.scale), config.file);
     auto height = config.ground == "table"
-                      ? base::make_height_table(config.file, dimension)
+                      ? base::make_height_file(config.file, dimension)
                       : base::make_height_formula(config.height, dimension, config.derivative_step);
     return base::make_height_ground(std::move(height), dimension);
 }

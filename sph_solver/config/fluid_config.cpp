@@ -65,7 +65,7 @@ void check_water_shape(const WaterConfig& water, const std::string& where, int d
                         water.points.size());
     for (const auto& point : water.points)
         base::require_input(point.size() == 2, where, ": a point of the polygon has ", point.size(), " numbers, not 2");
-    const bool wants_file = shape == "stl" || shape == "particles";
+    const bool wants_file = shape == "stl" || shape == "particles" || shape == "film";
     base::require_input(wants_file != water.file.empty(), where, ": shape \"", shape,
                         wants_file ? "\" needs a file = \"...\"" : "\" has no file; is shape = \"stl\" meant?");
 }
@@ -77,7 +77,7 @@ void check_water(FluidConfig& config, const base::ConfigReader& reader, const Ve
         WaterConfig& water = config.water[k];
         const std::string path = element("water", k);
         check_water_shape(water, reader.where(path), config.domain.dimension);
-        if (water.shape == "box") vectors.box(water.low, water.high, path);
+        if (water.shape == "box" || water.shape == "film") vectors.box(water.low, water.high, path);
         if (water.shape == "disc") vectors.required(water.centre, path + ".centre");
         if (!water.velocity.empty()) vectors.required(water.velocity, path + ".velocity");
         resolve(water.file, reader);

@@ -76,7 +76,13 @@ base::Table<NumericsConfig> numerics_table()
               .choices = {"raw", "renormalised"}})
         .key("integrator", &NumericsConfig::integrator,
              {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order",
-              .choices = {"rk2", "rk3", "rk4"}});
+              .choices = {"rk2", "rk3", "rk4"}})
+        .key("trap_gap", &NumericsConfig::trap_gap,
+             {.unit = "dx",
+              .doc = "particles between two walls that have come nearer to each other are taken out and counted as "
+                     "trapped; 0: none is",
+              .min = 0,
+              .max = 1});
 }
 
 base::Table<ParallelConfig> parallel_table()

@@ -46,6 +46,7 @@ struct NumericsConfig {
     double shift_strength = 100.0;
     std::string pair_area = "renormalised";
     std::string integrator = "rk2";
+    double trap_gap = 0.0;
 };
 
 /// [parallel]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/config/wall_config.hpp"
 
+#include "coupler_lib/base/ground.hpp"
 #include "coupler_lib/base/stl_file.hpp"
 #include "coupler_lib/foundation/check.hpp"
 
@@ -109,6 +110,40 @@ void add_stl(WallShape& result, const WallConfig& wall)
         result.facets.push_back(wall.flip ? std::array{a, c, b, -1} : std::array{a, b, c, -1});
 }
 
+/// The surface of a ground as a lattice over low..high: segments, or quadrilaterals, in 2D run through from high x to low
+/// x, so that the solid is below.
+void add_ground(WallShape& result, const WallConfig& wall)
+{
+    base::require_input(!wall.file.empty(), "wall \"", wall.name, "\": a ground needs a file of heights");
+    base::require_input(wall.size > 0, "wall \"", wall.name, "\": a ground needs the size of its facets [m]");
+    const auto along = static_cast<std::size_t>(result.dimension - 1);
+    require_numbers(wall.low, along, wall, "low");
+    require_numbers(wall.high, along, wall, "high");
+    const auto height = base::make_height_file(wall.file, result.dimension);
+    std::array<int, 2> cells{1, 0};
+    std::array<double, 2> step{};
+    for (std::size_t d = 0; d < along; ++d) {
+        const double extent = wall.high[d] - wall.low[d];
+        base::require_input(extent > 0, "wall \"", wall.name, "\": low is not below high along axis ", d);
+        cells[d] = std::max(1, static_cast<int>(std::lround(extent / wall.size)));
+        step[d] = extent / cells[d];
+    }
+    for (int j = 0; j <= cells[1]; ++j)
+        for (int i = 0; i <= cells[0]; ++i) {
+            const double x = wall.low[0] + i * step[0], y = along == 2 ? wall.low[1] + j * step[1] : 0.0;
+            result.vertices.push_back(x);
+            if (along == 2) result.vertices.push_back(y);
+            result.vertices.push_back(height->at(x, y).value);
+        }
+    const int row = cells[0] + 1;
+    for (int i = 0; along == 1 && i < cells[0]; ++i) result.facets.push_back({i + 1, i, -1, -1});
+    for (int j = 0; j < cells[1]; ++j)
+        for (int i = 0; i < cells[0]; ++i) {
+            const int v = i + row * j;
+            result.facets.push_back({v, v + 1, v + row + 1, v + row});
+        }
+}
+
 void require_extent(const WallShape& wall)
 {
     const auto dimension = static_cast<std::size_t>(wall.dimension);
@@ -142,20 +177,28 @@ base::Table<WallConfig> wall_table()
 {
     return base::Table<WallConfig>("a rigid wall; the order of its points says where the solid is: left of a -> b")
         .key("name", &WallConfig::name, {.doc = "name in messages and outputs", .required = true})
-        .key("shape", &WallConfig::shape,
-             {.doc = "polyline: through points; box: the inside of low..high; stl: triangles of a file (3D)",
-              .choices = {"polyline", "box", "stl"}})
+        .key(
+            "shape", &WallConfig::shape,
+            {.doc =
+                 "polyline: through points; box: the inside of low..high; stl: triangles of a file (3D); ground: below "
+                 "the heights of a file, which the solid's contact may read too",
+             .choices = {"polyline", "box", "stl", "ground"}})
         .key("points", &WallConfig::points, {.unit = "m", .doc = "corners [[x, y], ...] of a polyline"})
         .key("closed", &WallConfig::closed, {.doc = "join the last point to the first"})
-        .key("low", &WallConfig::low, {.unit = "m", .doc = "lowest corner of a box"})
-        .key("high", &WallConfig::high, {.unit = "m", .doc = "highest corner of a box"})
+        .key("low", &WallConfig::low,
+             {.unit = "m", .doc = "lowest corner of a box; ground: where it begins, [x] or [x, y]"})
+        .key("high", &WallConfig::high, {.unit = "m", .doc = "highest corner of a box; ground: where it ends"})
         .key("open", &WallConfig::open,
              {.doc = "sides of a box without a wall (2D: y is up; 3D: z is up)",
               .choices = {"left", "right", "bottom", "top", "front", "back"}})
         .key("depth", &WallConfig::depth, {.unit = "m", .doc = "3D polyline: lowest and highest z"})
-        .key("file", &WallConfig::file, {.doc = "STL file; its normals point into the water"})
+        .key("file", &WallConfig::file,
+             {.doc = "stl: its normals point into the water; ground: CSV with x[m], (y[m],) height[m] on a regular "
+                     "lattice, "
+                     "HDF5, or TOML with height = \"FORMULA of x, y\""})
         .key("unit", &WallConfig::unit, {.unit = "m", .doc = "length of one unit of the STL file", .positive = true})
         .key("flip", &WallConfig::flip, {.doc = "turn the triangles over: the water is inside of the STL body"})
+        .key("size", &WallConfig::size, {.unit = "m", .doc = "ground: length of its facets", .min = 0})
         .key("slip", &WallConfig::slip, {.doc = "water slips along the wall; false: it sticks to it"})
         .table("motion", &WallConfig::motion, motion_table());
 }
@@ -184,12 +227,16 @@ WallShape wall_shape(const WallConfig& wall, int dimension)
     result.name = wall.name;
     result.dimension = dimension;
     const bool has_points = !wall.points.empty(), has_box = !wall.low.empty() || !wall.high.empty();
-    base::require_input((wall.shape == "polyline" || !has_points) && (wall.shape == "box" || !has_box) &&
-                            (wall.shape == "stl" || wall.file.empty()),
+    const bool ground = wall.shape == "ground";
+    base::require_input((wall.shape == "polyline" || !has_points) && (wall.shape == "box" || ground || !has_box) &&
+                            (wall.shape == "stl" || ground || wall.file.empty()),
                         "wall \"", wall.name,
-                        "\": a box has low and high, a polyline has points, stl has a file; this one mixes them");
+                        "\": a box has low and high, a polyline has points, stl has a file, a ground low, high and a "
+                        "file; this one mixes them");
     if (wall.shape == "box") {
         add_box(result, wall);
+    } else if (ground) {
+        add_ground(result, wall);
     } else if (wall.shape == "stl") {
         add_stl(result, wall);
     } else {

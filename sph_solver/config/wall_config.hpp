@@ -34,6 +34,7 @@ struct WallConfig {
     std::string file = {};
     double unit = 1.0;
     bool flip = false;
+    double size = 0.0;
     bool slip = true;
     WallMotionConfig motion = {};
 };

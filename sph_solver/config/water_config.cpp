@@ -8,16 +8,18 @@ base::Table<WaterConfig> water_table()
     return base::Table<WaterConfig>("a body of water at the start; bodies may touch, not overlap")
         .key("shape", &WaterConfig::shape,
              {.doc = "box: low to high; disc: rings about a centre (2D); polygon: through points (2D); stl: inside a "
-                     "closed surface (3D); particles: as a file lists them",
-              .choices = {"box", "disc", "polygon", "stl", "particles"}})
-        .key("low", &WaterConfig::low, {.unit = "m", .doc = "lowest corner of a box"})
-        .key("high", &WaterConfig::high, {.unit = "m", .doc = "highest corner of a box"})
+                     "closed surface (3D); film: what of the box low to high is above the heights of a ground file; "
+                     "particles: as a file lists them",
+              .choices = {"box", "disc", "polygon", "stl", "film", "particles"}})
+        .key("low", &WaterConfig::low, {.unit = "m", .doc = "lowest corner of a box or film"})
+        .key("high", &WaterConfig::high, {.unit = "m", .doc = "highest corner of a box or film"})
         .key("centre", &WaterConfig::centre, {.unit = "m", .doc = "centre of a disc"})
         .key("radius", &WaterConfig::radius, {.unit = "m", .doc = "radius of a disc", .min = 0})
         .key("points", &WaterConfig::points,
              {.unit = "m", .doc = "corners [[x, y], ...] of a polygon, either way round"})
         .key("file", &WaterConfig::file,
-             {.doc = "STL file, or HDF5 file of particles; its path is seen from the folder of this file"})
+             {.doc = "STL file, file of a ground as for [[walls]], or HDF5 file of particles; its path is seen from "
+                     "the folder of this file"})
         .key("scale", &WaterConfig::scale,
              {.unit = "m", .doc = "what one unit of the STL file is worth: 0.001 for millimetres", .positive = true})
         .key("group", &WaterConfig::group,

@@ -138,7 +138,10 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
         for (auto p = static_cast<std::size_t>(contact.plane_begin); p < static_cast<std::size_t>(contact.plane_end);
              ++p) {
             const double part = -forces.on_wall[p].dot(planes[p].velocity);
-            (walls.facets().is_wet(planes[p].facet) ? power.by_interface : power.by_walls).add(weight * part);
+            const bool wet = walls.facets().is_wet(planes[p].facet);
+            (wet ? power.by_interface : power.by_walls).add(weight * part);
+            auto& force = wet ? power.force_of_interface : power.force_of_walls;
+            for (int a = 0; a < D; ++a) force[static_cast<std::size_t>(a)].add(-weight * forces.on_wall[p][a]);
             work += part;
         }
         const GradientSums<D>& sum = sums[contact.row];

@@ -7,6 +7,7 @@
 #include "sph_solver/operators/wall_images.hpp"
 #include "sph_solver/state/particles.hpp"
 
+#include <array>
 #include <vector>
 
 namespace sph {
@@ -33,9 +34,11 @@ template<int D> void add_wall_forces(Rates<D>& rates, const WallForces<D>& force
 
 /// Rates of work and loss at the walls, this rank's part [W], 2D [W/m].
 struct WallPower {
-    base::ReproducibleSum by_walls;     ///< of the fixed bodies on the fluid, -sum F.v_w
-    base::ReproducibleSum by_interface; ///< of the moving facets on the fluid, -sum F.v_w
-    base::ReproducibleSum dissipation;  ///< power in - (v.dP_i/dt - p dw_i/dt) of the images, summed over particles
+    base::ReproducibleSum by_walls;                          ///< of the fixed bodies on the fluid, -sum F.v_w
+    base::ReproducibleSum by_interface;                      ///< of the moving facets on the fluid, -sum F.v_w
+    std::array<base::ReproducibleSum, 3> force_of_walls;     ///< of the fixed bodies on the fluid, -sum F [N]
+    std::array<base::ReproducibleSum, 3> force_of_interface; ///< of the moving facets on the fluid [N]
+    base::ReproducibleSum dissipation; ///< power in - (v.dP_i/dt - p dw_i/dt) of the images, summed over particles
 };
 
 /// Adds weight * (power of this evaluation) to `power`.

@@ -19,6 +19,9 @@ std::vector<std::string> header(int dimension)
                              "viscous", "balance_error"}) {
         columns.push_back(name + joule);
     }
+    for (const char* name : {"momentum_", "impulse_of_walls_", "impulse_of_interface_"})
+        for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string(name) + axis + momentum);
+    columns.insert(columns.end(), {"trapped_particles[-]", "trapped_mass" + kilogram, "trapped_energy" + joule});
     return columns;
 }
 
@@ -28,10 +31,29 @@ EnergyTable::EnergyTable(const std::string& folder, int dimension) : file_(folde
 
 void EnergyTable::write(const EnergyRow& row)
 {
-    file_.row({row.time, row.dt, row.kinetic, row.potential, row.internal, row.total(), row.mass, row.work_by_walls,
-               row.work_by_interface, row.outflow_mass, row.outflow_momentum[0], row.outflow_momentum[1],
-               row.outflow_momentum[2], row.outflow_energy, row.dissipation_riemann, row.dissipation_mass_flux,
-               row.dissipation_walls, row.viscous, row.balance_error});
+    std::vector<double> values = {row.time,
+                                  row.dt,
+                                  row.kinetic,
+                                  row.potential,
+                                  row.internal,
+                                  row.total(),
+                                  row.mass,
+                                  row.work_by_walls,
+                                  row.work_by_interface,
+                                  row.outflow_mass,
+                                  row.outflow_momentum[0],
+                                  row.outflow_momentum[1],
+                                  row.outflow_momentum[2],
+                                  row.outflow_energy,
+                                  row.dissipation_riemann,
+                                  row.dissipation_mass_flux,
+                                  row.dissipation_walls,
+                                  row.viscous,
+                                  row.balance_error};
+    for (const auto& vector : {row.momentum, row.impulse_of_walls, row.impulse_of_interface})
+        values.insert(values.end(), vector.begin(), vector.end());
+    values.insert(values.end(), {row.trapped_particles, row.trapped_mass, row.trapped_energy});
+    file_.row(values);
 }
 
 } // namespace sph

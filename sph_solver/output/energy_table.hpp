@@ -26,7 +26,13 @@ struct EnergyRow {
     double dissipation_mass_flux = 0;
     double dissipation_walls = 0;
     double viscous = 0;
-    double balance_error = 0; ///< what none of the columns explains
+    double balance_error = 0;                     ///< what none of the columns explains
+    std::array<double, 3> momentum{};             ///< of the water that is left [kg m/s], [kg/s]
+    std::array<double, 3> impulse_of_walls{};     ///< on the water [kg m/s], [kg/s]
+    std::array<double, 3> impulse_of_interface{}; ///< likewise
+    double trapped_particles = 0;                 ///< of the outflow, what was taken out between closing walls
+    double trapped_mass = 0;                      ///< [kg], [kg/m]
+    double trapped_energy = 0;
 
     [[nodiscard]] double total() const { return kinetic + potential + internal; }
 };

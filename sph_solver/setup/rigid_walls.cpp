@@ -20,6 +20,7 @@ template<int D> Walls<D> make_walls(const FluidConfig& config, const FluidModel<
     settings.support = model.kernel.support();
     settings.gravity = model.gravity;
     settings.push_rate = push_share * config.liquid.sound_speed / settings.spacing;
+    settings.trap_gap = config.numerics.trap_gap;
     Walls<D> walls(settings);
     const MotionSpan span{config.time.start, end, steps_per_passage * settings.spacing / config.liquid.sound_speed};
     for (const bool moves : {false, true}) {

@@ -107,6 +107,7 @@ template<int D> std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig&
     } else {
         if (water.shape == "stl") return make_stl_water(water, spacing);
     }
+    if (water.shape == "film") return make_film<D>(water, spacing);
     if (water.shape == "particles") return read_particles<D>(water);
     return std::make_unique<Box<D>>(water, spacing);
 }

@@ -49,6 +49,8 @@ protected:
 ///   disc       rings about the centre, one spacing apart, for flows that a lattice would buckle (2D)
 ///   polygon    the lattice of its bounding box; a cell that an edge cuts gives the part that is inside (2D)
 ///   stl        the same, inside a closed surface of triangles (3D)
+///   film       columns of the lattice from the ground up to high: each is cut into whole layers about one spacing thick;
+///              columns of less than half a spacing stay dry
 ///   particles  as listed in an HDF5 file
 /// The volumes of the particles add up to the volume of the shape. Throws Error(bad_input) when the shape is smaller than
 /// one spacing, not closed, or crosses itself.
@@ -57,6 +59,7 @@ template<int D> std::unique_ptr<WaterBody<D>> make_water_body(const WaterConfig&
 // The shapes that have a file of their own.
 std::unique_ptr<WaterBody<2>> make_polygon(const WaterConfig& water, double spacing);
 std::unique_ptr<WaterBody<3>> make_stl_water(const WaterConfig& water, double spacing);
+template<int D> std::unique_ptr<WaterBody<D>> make_film(const WaterConfig& water, double spacing);
 template<int D> std::unique_ptr<WaterBody<D>> read_particles(const WaterConfig& water);
 
 } // namespace sph

@@ -17,7 +17,7 @@ template<int D> struct OutflowPlane {
     Vec<D> normal;
 };
 
-/// What has left through the openings since the start, on this rank; 2D: per metre of depth.
+/// What has left since the start, on this rank; 2D: per metre of depth.
 struct OutflowTotals {
     std::int64_t particles = 0;
     base::ReproducibleSum mass;                    ///< [kg]
@@ -27,7 +27,7 @@ struct OutflowTotals {
     base::ReproducibleSum internal;                ///< [J]
 };
 
-/// Takes out the particles that have passed an opening and counts what they take along.
+/// Takes out the particles that have passed an opening or are trapped between walls, and counts what they take along.
 template<int D> class Outflow {
 public:
     Outflow() = default;
@@ -37,19 +37,21 @@ public:
 
     [[nodiscard]] bool empty() const { return planes_.empty(); }
 
-    /// Removes my particles beyond a plane; halo copies go too, so it belongs just before Domain::redistribute.
-    void remove(Particles<D>& particles);
+    /// Removes my particles beyond a plane, and those that are marked; halo copies go too, so it belongs just before
+    /// Domain::redistribute. \param trapped a mark for each of my particles, in their order; empty: none.
+    void remove(Particles<D>& particles, const std::vector<std::uint8_t>& trapped = {});
 
-    [[nodiscard]] const OutflowTotals& totals() const { return totals_; }
+    [[nodiscard]] const OutflowTotals& totals() const { return totals_; }   ///< all that is gone
+    [[nodiscard]] const OutflowTotals& trapped() const { return trapped_; } ///< of it, what was trapped
 
 private:
     [[nodiscard]] bool is_out(const Vec<D>& x) const;
-    void count(const Particles<D>& particles, std::size_t i);
+    void count(OutflowTotals& totals, const Particles<D>& particles, std::size_t i) const;
 
     std::vector<OutflowPlane<D>> planes_;
     Tait eos_;
     Vec<D> gravity_ = Vec<D>::Zero();
-    OutflowTotals totals_;
+    OutflowTotals totals_, trapped_;
 };
 
 } // namespace sph

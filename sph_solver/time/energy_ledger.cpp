@@ -20,6 +20,11 @@ enum Place : std::size_t {
     out_mass,
     out_momentum,
     out_energy = out_momentum + 3,
+    of_walls,
+    of_interface = of_walls + 3,
+    trapped_particles = of_interface + 3,
+    trapped_mass,
+    trapped_energy,
     count
 };
 
@@ -78,6 +83,14 @@ EnergyBalance EnergyLedger<D>::balance(const Particles<D>& particles, const Outf
     sums[out_mass] = out.mass;
     for (std::size_t a = 0; a < 3; ++a) sums[out_momentum + a] = out.momentum[a];
     for (const auto& part : {out.kinetic, out.potential, out.internal}) sums[out_energy] += part;
+    for (std::size_t a = 0; a < 3; ++a) {
+        sums[of_walls + a] = walls_.force_of_walls[a];
+        sums[of_interface + a] = walls_.force_of_interface[a];
+    }
+    const OutflowTotals& held = outflow.trapped();
+    sums[trapped_particles].add(static_cast<double>(held.particles));
+    sums[trapped_mass] = held.mass;
+    for (const auto& part : {held.kinetic, held.potential, held.internal}) sums[trapped_energy] += part;
 
     const auto all = comm.total(sums);
     const auto at = [&](std::size_t place) { return all[place].value(); };
@@ -93,6 +106,13 @@ EnergyBalance EnergyLedger<D>::balance(const Particles<D>& particles, const Outf
     e.outflow_mass = at(out_mass);
     e.outflow_momentum = {at(out_momentum), at(out_momentum + 1), at(out_momentum + 2)};
     e.outflow_energy = at(out_energy);
+    for (std::size_t a = 0; a < 3; ++a) {
+        e.impulse_of_walls[a] = at(of_walls + a);
+        e.impulse_of_interface[a] = at(of_interface + a);
+    }
+    e.trapped_particles = at(trapped_particles);
+    e.trapped_mass = at(trapped_mass);
+    e.trapped_energy = at(trapped_energy);
     e.dissipation_riemann = at(riemann);
     e.dissipation_mass_flux = at(mass_flux);
     e.dissipation_walls = at(at_walls);

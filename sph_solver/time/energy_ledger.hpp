@@ -13,21 +13,26 @@ namespace sph {
 
 /// The fluid's account at one instant; 2D: per metre of depth. Works and dissipations are sums since the start.
 struct EnergyBalance {
-    double kinetic = 0;                       ///< sum P^2 / (2 m) [J]
-    double potential = 0;                     ///< -sum m g.x [J]
-    double internal = 0;                      ///< sum m u(rho) [J]
-    double total = 0;                         ///< kinetic + potential + internal [J]
-    double mass = 0;                          ///< [kg]
-    std::array<double, 3> momentum{};         ///< [kg m/s]
-    double work_by_walls = 0;                 ///< of fixed or prescribed bodies on the fluid [J]
-    double work_by_interface = 0;             ///< of the coupled solid on the fluid [J]
-    double outflow_mass = 0;                  ///< left through openings [kg]
-    std::array<double, 3> outflow_momentum{}; ///< [kg m/s]
-    double outflow_energy = 0;                ///< [J]
-    double dissipation_riemann = 0;           ///< lost in the pressures of fluid pairs [J]
-    double dissipation_mass_flux = 0;         ///< lost in their mass fluxes [J]
-    double dissipation_walls = 0;             ///< lost between fluid and wall images [J]
-    double viscous = 0;                       ///< lost to viscosity; an inviscid fluid has none [J]
+    double kinetic = 0;                           ///< sum P^2 / (2 m) [J]
+    double potential = 0;                         ///< -sum m g.x [J]
+    double internal = 0;                          ///< sum m u(rho) [J]
+    double total = 0;                             ///< kinetic + potential + internal [J]
+    double mass = 0;                              ///< [kg]
+    std::array<double, 3> momentum{};             ///< [kg m/s]
+    double work_by_walls = 0;                     ///< of fixed or prescribed bodies on the fluid [J]
+    double work_by_interface = 0;                 ///< of the coupled solid on the fluid [J]
+    double outflow_mass = 0;                      ///< left through openings [kg]
+    std::array<double, 3> outflow_momentum{};     ///< [kg m/s]
+    double outflow_energy = 0;                    ///< [J]
+    std::array<double, 3> impulse_of_walls{};     ///< of fixed or prescribed bodies on the fluid [kg m/s]
+    std::array<double, 3> impulse_of_interface{}; ///< of the coupled solid on the fluid [kg m/s]
+    double trapped_particles = 0;                 ///< of the outflow, what was taken out between closing walls
+    double trapped_mass = 0;                      ///< [kg]
+    double trapped_energy = 0;                    ///< [J]
+    double dissipation_riemann = 0;               ///< lost in the pressures of fluid pairs [J]
+    double dissipation_mass_flux = 0;             ///< lost in their mass fluxes [J]
+    double dissipation_walls = 0;                 ///< lost between fluid and wall images [J]
+    double viscous = 0;                           ///< lost to viscosity; an inviscid fluid has none [J]
     double balance_error = 0; ///< what these do not explain of the change of `total` [J], second order in dt
 };
 

@@ -7,6 +7,7 @@
 #include "sph_solver/operators/shifting.hpp"
 #include "sph_solver/operators/wall_gradients.hpp"
 #include "sph_solver/time/work_costs.hpp"
+#include "sph_solver/walls/trapped.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -176,10 +177,18 @@ template<int D> void FluidStep<D>::redistribute(Particles<D>& particles)
     const auto scope = parts_.timers.scope("migration and halo");
     complete_state(particles);
     report_work(particles);
-    parts_.outflow.remove(particles);
+    remove_trapped_and_gone(particles);
     parts_.domain.redistribute(particles);
     update_derived(particles, model_.eos);
     redistributed_ = true;
+}
+
+/// The planes are those of the last evaluation, half a step old.
+template<int D> void FluidStep<D>::remove_trapped_and_gone(Particles<D>& particles)
+{
+    const WallSettings<D>& settings = parts_.walls.settings();
+    const double gap = settings.trap_gap * settings.spacing;
+    parts_.outflow.remove(particles, find_trapped(parts_.walls.contacts(), gap, particles.owned.size()));
 }
 
 /// What the last evaluation had to do, where it was, and what those since the last report, all much alike, have cost.

@@ -86,6 +86,7 @@ private:
     bool walls_hold(double dt) const;
     void prepare_walls(const Particles<D>& particles);
     void redistribute(Particles<D>& particles);
+    void remove_trapped_and_gone(Particles<D>& particles);
     void build_lists(const Particles<D>& particles);
 
     FluidModel<D> model_;

@@ -21,6 +21,7 @@ template<int D> struct WallSettings {
     double image_distance = 0.2;     ///< a particle's own image stays this far away [dx]
     double push_from = 0.2;          ///< images push particles that come nearer than this [dx]
     double push_rate = 0;            ///< how fast, per length that is missing [1/s]
+    double trap_gap = 0;             ///< water in a gap narrower than this is trapped [dx]
 };
 
 /// A half-space that cuts images off: the fluid of another face of the same body begins at normal.x = offset.

@@ -4,6 +4,7 @@
 #include "sph_solver/walls/wall_facets.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sph {
@@ -13,7 +14,8 @@ namespace sph {
 /// of a segment, an edge of a triangle.
 template<int D> class Touching {
 public:
-    /// \param tolerance [m], a small part of the particle spacing.
+    /// \param tolerance [m], a small part of the particle spacing. What facets that stand still have with each other is found
+    /// once for each number of them.
     void find(const WallFacets<D>& facets, double tolerance);
 
     /// Facets that touch this one, ascending.
@@ -26,14 +28,23 @@ public:
     /// not free.)
     bool is_free_side(int facet, int side) const
     {
-        return free_side_[static_cast<std::size_t>(facet) * D + static_cast<std::size_t>(side)] != 0;
+        return met_side_[static_cast<std::size_t>(facet) * D + static_cast<std::size_t>(side)] == 0;
     }
 
 private:
-    void find_free_sides(const WallFacets<D>& facets, double tolerance);
+    using Pair = std::pair<int, int>;
+    using Boxes = std::vector<base::Box<D>>;
+    static void append_pairs(const WallFacets<D>& facets, const Boxes& boxes, int first_moving, double tolerance,
+                             std::vector<Pair>& pairs);
+    void set_pairs(std::vector<Pair>& pairs, int facets);
+    void find_still(const WallFacets<D>& facets, const Boxes& boxes, double tolerance);
+    void find_met_sides(const WallFacets<D>& facets, int facet, int from, double tolerance);
 
     std::vector<int> offsets_{0}, touching_;
-    std::vector<char> free_side_;
+    std::vector<char> met_side_;
+    std::vector<Pair> still_pairs_;  ///< of the first `still_` facets
+    std::vector<char> met_by_still_; ///< their sides
+    int still_ = -1;
 };
 
 } // namespace sph

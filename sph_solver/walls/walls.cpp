@@ -85,7 +85,7 @@ template<int D> void Walls<D>::prepare(const Particles<D>& particles, double ski
 
 template<int D> void Walls<D>::renew_touching()
 {
-    if (facets_.size() > facets_.first_of_interface()) touching_.find(facets_, 0.05 * settings_.spacing);
+    if (facets_.size() > facets_.still_facets()) touching_.find(facets_, 0.05 * settings_.spacing);
 }
 
 template<int D> double Walls<D>::largest_displacement() const

@@ -52,7 +52,7 @@ public:
     /// list
     /// changes, as long as particles and walls have not moved by more than skin / 2 each.
     void prepare(const Particles<D>& particles, double skin);
-    /// Which facets of the interface touch which, for the present place of the walls; prepare does it too. To be called at
+    /// Which facets touch which, for the present place of those that move; prepare does it too. To be called at
     /// the start of every step: ranks prepare at different times, what they find must not depend on that.
     void renew_touching();
     /// Other facets than at the last prepare: prepare must be called again.

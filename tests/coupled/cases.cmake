@@ -28,19 +28,22 @@ rivage_coupled_test(python_module ${CMAKE_CURRENT_LIST_DIR}/python_module.py --b
 rivage_coupled_test(code_aster ${CMAKE_CURRENT_LIST_DIR}/code_aster.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(fakes ${CMAKE_CURRENT_LIST_DIR}/fakes.py --build ${CMAKE_BINARY_DIR})
 rivage_coupled_test(replay ${CMAKE_CURRENT_LIST_DIR}/replay.py --programs ${RIVAGE_PROGRAMS})
+rivage_coupled_test(closing_gap ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/tyre_block/closing_gap --programs ${RIVAGE_PROGRAMS})
 # Walls that move as prescribed, the fluid alone: the sound wave of the case itself, the tank with coarser particles for one period.
 rivage_coupled_test(moving_piston_acoustic ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/moving_piston/acoustic
                     --programs ${RIVAGE_PROGRAMS})
 rivage_coupled_test(moving_piston_coarse ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/moving_piston
                     --programs ${RIVAGE_PROGRAMS} --set fluid.resolution.spacing=0.005 --set fluid.time.end=0.5)
 # Small siblings of the validation runs: coarser and shorter, held to their own distance from the fine ones.
-foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydrostatic_plate dam_break taylor_green elastic_gate/outside_solver)
+foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydrostatic_plate dam_break taylor_green elastic_gate/outside_solver
+        tyre_block/squeeze_film)
     string(REPLACE / _ name ${case})
     rivage_coupled_test(small_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
 # The solid alone against exact answers, each run short enough as it stands.
-foreach(case elastica rubber_bar thick_cylinder cook turek_hron)
-    rivage_coupled_test(solid_${case} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --keep-page --programs ${RIVAGE_PROGRAMS}
+foreach(case elastica rubber_bar thick_cylinder cook turek_hron tyre_block/dry_slide)
+    string(REPLACE / _ name ${case})
+    rivage_coupled_test(solid_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --keep-page --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()

@@ -98,4 +98,16 @@ TEST_F(HeightTable, NamesAPlaceWithoutHeight)
     EXPECT_THROW(make_height_table(path_, 2), Error);
 }
 
+TEST(HeightFile, OfAFormulaIsTheFormula)
+{
+    const std::string path = (std::filesystem::temp_directory_path() / "rivage_height.toml").string();
+    std::ofstream(path) << "height = \"0.1*sin(3*x)*cos(2*y)\"\nderivative_step = 1e-4\n";
+    const auto height = make_height_file(path, 3);
+    EXPECT_DOUBLE_EQ(height->at(0.4, -0.3).value, 0.1 * std::sin(1.2) * std::cos(0.6));
+    EXPECT_NEAR(height->at(0.4, -0.3).slope[0], 0.3 * std::cos(1.2) * std::cos(0.6), 1e-10);
+    std::ofstream(path) << "heights = \"x\"\n";
+    EXPECT_THROW(make_height_file(path, 3), Error);
+    std::filesystem::remove(path);
+}
+
 } // namespace

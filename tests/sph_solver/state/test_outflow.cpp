@@ -32,5 +32,27 @@ TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
     EXPECT_DOUBLE_EQ(out.internal.value(), 1100.0 * eos.specific_internal_energy(1100.0));
 }
 
+/// What is marked goes too, and is told apart from what has left through an opening.
+TEST(Outflow, CountsWhatIsTrappedAsAPartOfAllThatIsGone)
+{
+    Particles<2> particles;
+    particles.resize(3);
+    particles.own_all();
+    particles.id = {10, 11, 12};
+    particles.position = {{0.5, 0.0}, {1.5, 2.0}, {0.9, 0.0}};
+    particles.volume = {1.0, 1.0, 1.0};
+    particles.mass = {1000.0, 1100.0, 1200.0};
+    particles.momentum = {{0.0, 0.0}, {2200.0, -1100.0}, {0.0, 1200.0}};
+    Outflow<2> outflow({{Vec<2>(1.0, 0.0), Vec<2>(2.0, 0.0)}}, Tait{1000.0, 10.0}, Vec<2>(0.0, 0.0));
+    outflow.remove(particles, {0, 0, 1});
+    EXPECT_EQ(particles.id, (std::vector<std::int64_t>{10}));
+    EXPECT_EQ(outflow.totals().particles, 2);
+    EXPECT_DOUBLE_EQ(outflow.totals().mass.value(), 2300.0);
+    EXPECT_EQ(outflow.trapped().particles, 1);
+    EXPECT_DOUBLE_EQ(outflow.trapped().mass.value(), 1200.0);
+    EXPECT_DOUBLE_EQ(outflow.trapped().kinetic.value(), 600.0);
+    EXPECT_DOUBLE_EQ(outflow.totals().momentum[1].value(), 100.0);
+}
+
 } // namespace
 } // namespace sph

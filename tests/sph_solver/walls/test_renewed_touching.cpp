@@ -44,5 +44,22 @@ TEST(Walls, TouchingIsRenewedWithoutPreparingAnew)
     EXPECT_EQ(planes(walls, particles), 1u);
 }
 
+TEST(Walls, TouchingOfADrivenWallIsRenewedToo)
+{
+    const auto particles = particles_at<2>({Vec<2>(0.3, 1.0)});
+    Walls<2> walls = lines({{{4, 0}, {0, 0}}});
+    RigidMotion<2> down;
+    down.translation[1] = base::with_derivatives([](double t) { return -0.1 * t; }, 1e-3);
+    walls.add_driven({"lid"}, {0, 0.3, -4, 0.3}, {{0, 1, -1, -1}}, down);
+    walls.start_step(0);
+    walls.move(0);
+    walls.prepare(particles, 0.5);
+    EXPECT_EQ(planes(walls, particles), 2u); // two sheets
+    walls.start_step(3);
+    walls.move(0);
+    walls.renew_touching();
+    EXPECT_EQ(planes(walls, particles), 1u);
+}
+
 } // namespace
 } // namespace sph
