@@ -6,34 +6,10 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from field_file import FieldStep, open_fields
+from cells import is_plane, polygons
+from field_file import open_fields
 from figure_style import WATER, plt
 from run_folder import RunFolder
-from snapshots import OUTLINE
-
-# Corners of the faces of a cell in space, by its number of nodes: corners come first in every cell.
-TETRAHEDRON = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
-HEXAHEDRON = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-FACES = {4: TETRAHEDRON, 10: TETRAHEDRON, 8: HEXAHEDRON, 20: HEXAHEDRON, 27: HEXAHEDRON}
-
-
-def outer_faces(cells: np.ndarray) -> np.ndarray:
-    """The faces (n x corners) that belong to one cell only."""
-    faces = np.vstack([cells[:, corners] for corners in FACES[cells.shape[1]]])
-    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
-    return faces[first[count == 1]]
-
-
-def polygons(step: FieldStep) -> np.ndarray | None:
-    """What is drawn, as node numbers (n x corners): the cells of a plane mesh, the outer faces of one in space."""
-    cells = step.connectivity
-    if cells is None or cells.ndim != 2 or "displacement" not in step.fields:
-        return None
-    plane = not np.any(step.points[:, 2])
-    if cells.shape[1] not in (OUTLINE if plane else FACES):
-        return None
-    return cells[:, OUTLINE[cells.shape[1]]] if plane else outer_faces(cells)
-
 
 def draw_plane(figure, corners: np.ndarray, colours) -> None:
     axes = figure.add_subplot()
@@ -58,12 +34,12 @@ def mesh_figure(run: RunFolder):
         return None
     step = fields.read(len(fields.steps) - 1)
     nodes = polygons(step)
-    if nodes is None:
+    if nodes is None or "displacement" not in step.fields:
         return None
     moved = 1000 * np.linalg.norm(step.fields["displacement"].reshape(len(step.points), -1), axis=1)
     scale = ScalarMappable(Normalize(0, moved.max() or 1.0), WATER)
     figure = plt.figure(figsize=(6.5, 3.6), layout="constrained")
-    draw = draw_space if np.any(step.points[:, 2]) else draw_plane
+    draw = draw_plane if is_plane(step) else draw_space
     draw(figure, step.points[nodes], scale.to_rgba(moved[nodes].mean(axis=1)))
     figure.colorbar(scale, ax=figure.axes, shrink=0.8, pad=0.02).set_label("displacement [mm]", fontsize=8)
     return figure

@@ -5,11 +5,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
+from cells import polygons
 from field_file import FieldStep
 from figure_style import SOLID, WATER, plt
-
-# The corner-and-edge walk around a plane cell, by number of nodes: corners come first, then the mid-sides.
-OUTLINE = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5), 4: (0, 1, 2, 3), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
 
 
 @dataclass
@@ -35,13 +33,13 @@ def draw_water(axes, step: FieldStep, view: View):
 
 
 def draw_solid(axes, step: FieldStep) -> None:
-    """The deformed mesh: cells filled, their edges as hair lines. Without cells, the nodes as points."""
-    position = step.points[:, :2]
-    if step.connectivity is None or step.connectivity.ndim != 2 or step.connectivity.shape[1] not in OUTLINE:
+    """The deformed mesh, one in space seen along z: cells filled, their edges as hair lines. Without cells, a line through
+    the nodes."""
+    position, nodes = step.points[:, :2], polygons(step)
+    if nodes is None:
         axes.plot(position[:, 0], position[:, 1], "-", color=SOLID, linewidth=2.5)
         return
-    corners = position[step.connectivity[:, OUTLINE[step.connectivity.shape[1]]]]
-    axes.add_collection(PolyCollection(corners, facecolors="#f0b27a", edgecolors=SOLID, linewidths=0.25))
+    axes.add_collection(PolyCollection(position[nodes], facecolors="#f0b27a", edgecolors=SOLID, linewidths=0.25))
 
 
 def draw_step(axes, water: FieldStep | None, solids: list[FieldStep], view: View):
