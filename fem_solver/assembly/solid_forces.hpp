@@ -89,7 +89,7 @@ public:
     }
     double lost_energy() const { return map_.team().sum(body_->lost_energy()); }
     /// What remembers takes note of a motion that has come about: the material, and the contact at its time [s].
-    void accept(const Motion& motion, double time)
+    void accept(const Motion& motion, double time) const
     {
         body_->accept(motion.displacement);
         contact_->accept(motion, time);
