@@ -62,12 +62,14 @@ def momentum_error(run: RunFolder, entry: dict) -> float:
 
 
 def energy_error(run: RunFolder, entry: dict) -> float:
-    """Energy of block and water, with all dissipations and what has left, against the work of the driven face; over that work's peak."""
+    """Energy of block and water, with all dissipations and what has left, against the work of the driven face; over that
+    work's peak, up to the time `until` if given."""
     water, block = run.table("fluid/energy.csv"), run.table("solid/energy.csv")
     kept = sum(water[name] for name in ("total", "outflow_energy", "dissipation_riemann", "dissipation_mass_flux", "dissipation_walls"))
     held = sum(block[name] for name in ("kinetic", "strain", "contact", "friction", "numerical_dissipation"))
     off = held + np.interp(block["t"], water["t"], kept) - block["work_supports"]
-    return float(np.abs(off - off[0]).max() / np.abs(block["work_supports"]).max())
+    inside = block["t"] <= entry.get("until", np.inf)
+    return float(np.abs(off - off[0])[inside].max() / np.abs(block["work_supports"][inside]).max())
 
 
 def drained(run: RunFolder, entry: dict) -> float:
