@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""The tyre's block: conservation of the water, momentum of block and water, energy, and how dry the ground is under the block."""
+import numpy as np
+
+from convergence import spacing
+from field_file import FieldFile
+from run_folder import RunFolder
+
+LENGTH, WIDTH, TALL, DENSITY, CELLS = 0.012, 0.004, 0.010, 1150.0, (12, 4, 5)      # of the block [m], kg/m^3
+GROUND = (0.00035, 0.008, 0.00025, 0.008)                # amplitudes and lengths of ground.toml [m]
+
+
+def ground(x: np.ndarray) -> np.ndarray:
+    a, length, b, width = GROUND
+    return a * np.cos(2 * np.pi * x[:, 0] / length) + b * np.cos(2 * np.pi * x[:, 1] / width)
+
+
+def vector(table, name: str) -> np.ndarray:
+    return np.array([table[f"{name}{axis}"] for axis in "xyz"])
+
+
+def at(times: np.ndarray, table, values: np.ndarray) -> np.ndarray:
+    """Rows of a table at other times."""
+    return np.array([np.interp(times, table["t"], row) for row in values])
+
+
+def impulse(table, force: np.ndarray) -> np.ndarray:
+    """Of a force given in rows, from the start on."""
+    steps = 0.5 * (force[:, 1:] + force[:, :-1]) * np.diff(table["t"])
+    return np.concatenate((np.zeros((3, 1)), np.cumsum(steps, axis=1)), axis=1)
+
+
+def water_momentum_error(run: RunFolder, entry: dict) -> float:
+    """Momentum of all water, of what has left too, against the impulses of ground and block; over the largest impulse."""
+    table = run.table("fluid/energy.csv")
+    given = vector(table, "impulse_of_walls_") + vector(table, "impulse_of_interface_")
+    kept = vector(table, "momentum_") + vector(table, "outflow_momentum_")
+    return float(np.abs(kept - given).max() / np.abs(given).max())
+
+
+def block_momentum(run: RunFolder) -> tuple[np.ndarray, np.ndarray]:
+    """Times of the outputs and the block's momentum then [kg m/s]: its bricks' mass times their mean nodal velocity."""
+    fields = FieldFile(run.file("solid/fields.h5"))
+    mass = DENSITY * LENGTH * WIDTH * TALL / np.prod(CELLS)
+    steps = [fields.read(k) for k in range(len(fields.times))]
+    cells = steps[0].connectivity if steps[0].connectivity is not None else steps[-1].connectivity
+    return fields.times, np.array([mass * step.fields["velocity"][cells].mean(axis=1).sum(axis=0) for step in steps]).T
+
+
+def momentum_error(run: RunFolder, entry: dict) -> float:
+    """Mean forces between two outputs along x and z: change of the momentum of block and water less the force of the driven face, the
+    contact and the ground's push on the water; over the largest mean force of the driven face. (The planes of symmetry hold the
+    block along y alone; their groups' sums count the driven face's edges again.)"""
+    times, block = block_momentum(run)
+    water, held, contact = (run.table(name) for name in ("fluid/energy.csv", "solid/reactions.csv", "solid/contact.csv"))
+    face = impulse(held, vector(held, "front.f"))
+    ground = impulse(contact, vector(contact, "back.normal_") + vector(contact, "back.friction_"))
+    outside = at(times, held, face) + at(times, contact, ground) + at(times, water, vector(water, "impulse_of_walls_"))
+    inside = block + at(times, water, vector(water, "momentum_") + vector(water, "outflow_momentum_"))
+    span = np.diff(times)
+    return float(np.abs(np.diff(inside - outside)[[0, 2]] / span).max() / np.abs(np.diff(at(times, held, face)) / span).max())
+
+
+def energy_error(run: RunFolder, entry: dict) -> float:
+    """Energy of block and water, with all dissipations and what has left, against the work of the driven face; over that
+    work's peak, up to the time `until` if given."""
+    water, block = run.table("fluid/energy.csv"), run.table("solid/energy.csv")
+    kept = sum(water[name] for name in ("total", "outflow_energy", "dissipation_riemann", "dissipation_mass_flux", "dissipation_walls"))
+    held = sum(block[name] for name in ("kinetic", "strain", "contact", "friction", "numerical_dissipation"))
+    off = held + np.interp(block["t"], water["t"], kept) - block["work_supports"]
+    inside = block["t"] <= entry.get("until", np.inf)
+    return float(np.abs(off - off[0])[inside].max() / np.abs(block["work_supports"][inside]).max())
+
+
+def drained(run: RunFolder, entry: dict) -> float:
+    """Share of the water within dx of the ground that has gone from under the block at the time `at`; above ground higher than
+    `higher` [m] only."""
+    fields, dx = FieldFile(run.file("fluid/fields.h5")), spacing(run)
+    sole = run.table("solid/probes.csv")
+    rear = np.interp(entry["at"], sole["t"], sole["sole.ux"])
+
+    def near(step) -> float:
+        x = step.points
+        height = ground(x)
+        under = (x[:, 0] > rear) & (x[:, 0] < rear + LENGTH) & (x[:, 2] - height < dx) & (height > entry.get("higher", -1.0))
+        return float(step.fields["mass"][under].sum())
+
+    return 1 - near(fields.nearest(entry["at"])) / near(fields.read(0))
