@@ -60,7 +60,7 @@ def draw(case: Path, runs: Path) -> None:
 def entry(case: Path) -> str:
     """Heading, picture and the first paragraph of the case's README."""
     paragraphs = re.split(r"\n\s*\n", (case / "README.md").read_text(encoding="utf-8"))
-    text = next(part for part in paragraphs[1:] if not part.startswith(("!", "#", "```", "|")))
+    text = next((part for part in paragraphs[1:] if not part.startswith(("!", "#", "```", "|"))), "")
     text = re.sub(r"\]\((?!http)", f"](../cases/{title(case)}/", text)                # links seen from docs/
     shown = f"![{title(case)}](pictures/{picture_of(case).name})\n\n" if picture_of(case).is_file() else ""
     return f"## [{paragraphs[0].splitlines()[0].lstrip('# ')}](../cases/{title(case)}/README.md)\n\n{shown}{text}\n\n    ./rivage run {title(case)}\n"
