@@ -80,6 +80,8 @@ def write_tables(folder: Path) -> None:
         "t[s]": t, "dt[s]": dt, "kinetic[J/m]": 10 * ux**2, "strain[J/m]": 0.9 * strain, "potential[J/m]": 3 * ux**2,
         "work_interface[J/m]": strain, "work_supports[J/m]": zero, "work_loads[J/m]": zero,
         "numerical_dissipation[J/m]": 0.002 * t, "balance_error[J/m]": zero})
+    write_csv(folder / "fluid/probes.csv", {"t[s]": t, "level_at_gate.front[m]": 0.14 - 0.1 * t,
+                                            "level_5_cm_before_gate.front[m]": 0.14 - 0.12 * t})
     write_csv(folder / "solid/probes.csv", {"t[s]": t, "tip.ux[m]": ux, "tip.uy[m]": 0.3 * ux})
     noise = 4 * np.sin(2 * np.pi * 900 * t)
     write_csv(folder / "coupling/interface.csv", {

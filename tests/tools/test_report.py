@@ -35,7 +35,7 @@ class Report(unittest.TestCase):
 
     def test_whole_run(self):
         text = self.page()
-        self.assertEqual(len(re.findall("<img ", text)), 5)     # snapshots, tip, energies, interface, waits
+        self.assertEqual(len(re.findall("<img ", text)), 6)     # snapshots, tip, levels, energies, interface, waits
         self.assertNotIn("Missing in the run folder", text)
         self.assertIn("tip_ux_peak[m]", text)
         self.assertIn("0f3c9a51", text)
