@@ -241,11 +241,13 @@ WallShape wall_shape(const WallConfig& wall, int dimension)
         add_stl(result, wall);
     } else {
         add_polyline(result, wall);
-        require_extent(result);
         if (dimension == 3) {
             require_numbers(wall.depth, 2, wall, "depth");
+            base::require_input(wall.depth[0] < wall.depth[1], "wall \"", wall.name, "\": depth = [", wall.depth[0],
+                                ", ", wall.depth[1], "] m: the lowest z comes first");
             extrude(result, wall.depth);
         }
+        require_extent(result);
     }
     return result;
 }

@@ -169,6 +169,18 @@ TEST(WallShape, BoxAndExtrudedNormalsPointIntoTheFluid3D)
     EXPECT_GT(side_of(slab, slab.facets.at(0), {0.5, 1.0, 0.5}), 0.0);
 }
 
+TEST(WallShape, ExtrudedPolylinesAreLookedAtInSpace)
+{
+    // Two numbers a point: read as three, these would be (1, 2, 3) twice.
+    WallConfig bent{.name = "bent", .points = {{1, 2}, {3, 1}, {2, 3}}, .depth = {0, 1}};
+    EXPECT_EQ(wall_shape(bent, 3).facets.size(), 2U);
+    bent.depth = {1, 0};
+    EXPECT_THROW(wall_shape(bent, 3), base::Error);
+    bent.depth = {0, 1};
+    bent.points[1] = bent.points[0];
+    EXPECT_THROW(wall_shape(bent, 3), base::Error);
+}
+
 TEST(FluidConfig, WaterSaysWhatItsShapeLacks)
 {
     const std::string box = "low = [0.0, 0.0]\nhigh = [0.1, 0.14]\n[[walls]]";
