@@ -6,6 +6,10 @@
 #include "fem_solver/material/shape_law.hpp"
 #include "fem_solver/material/split_law.hpp"
 
+#include <cmath>
+#include <limits>
+#include <vector>
+
 namespace fem {
 
 /// SolidBody whose elements have a pressure field of their own, against locking near incompressibility
@@ -51,14 +55,14 @@ public:
     Inversion add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) override
     {
         for (int e = 0; e < points_.elements(); ++e) {
-            const Nodal u = points_.gather(displacement, e);
-            if (const Inversion inversion = find_inversion(e, u); inversion.happened()) return inversion;
-            const Basis pressure = bulk_ * dilatation(e, u);
+            const Deformed& deformed = deform(e, points_.gather(displacement, e));
+            if (!(deformed.least > 0)) return {e, deformed.least};
+            const Basis pressure = bulk_ * dilatation(e, deformed);
             Nodal nodal = Nodal::Zero();
             for (int q = 0; q < points_.count(); ++q) {
                 const auto& p = points_.of(e)[q];
-                const Tensor<D> f = deformation(p, u);
-                const double j_pressure = f.determinant() * pressure.dot(basis_of(e)[q]);
+                const Tensor<D>& f = deformed.f[q];
+                const double j_pressure = deformed.j[q] * pressure.dot(basis_of(e)[q]);
                 nodal += p.volume * (shape_.stress(at(e, q), f) + j_pressure * f.inverse().transpose()) * p.gradient;
             }
             points_.scatter(nodal, e, force);
@@ -78,12 +82,11 @@ public:
     {
         double energy = 0;
         for (int e = 0; e < points_.own_elements(); ++e) {
-            const Nodal u = points_.gather(displacement, e);
-            const Basis theta = dilatation(e, u);
+            const Deformed& deformed = deform(e, points_.gather(displacement, e));
+            const Basis theta = dilatation(e, deformed);
             for (int q = 0; q < points_.count(); ++q) {
-                const auto& p = points_.of(e)[q];
                 const double t = theta.dot(basis_of(e)[q]);
-                energy += p.volume * (shape_.energy(at(e, q), deformation(p, u)) + 0.5 * bulk_ * t * t);
+                energy += points_.of(e)[q].volume * (shape_.energy(at(e, q), deformed.f[q]) + 0.5 * bulk_ * t * t);
             }
         }
         return energy;
@@ -93,11 +96,11 @@ public:
     {
         std::vector<double> result;
         for (int e = 0; e < points_.own_elements(); ++e) {
-            const Nodal u = points_.gather(displacement, e);
-            const Basis pressure = bulk_ * dilatation(e, u);
+            const Deformed& deformed = deform(e, points_.gather(displacement, e));
+            const Basis pressure = bulk_ * dilatation(e, deformed);
             Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
             for (int q = 0; q < points_.count(); ++q) {
-                mean += shape_.cauchy(at(e, q), deformation(points_.of(e)[q], u)) / points_.count();
+                mean += shape_.cauchy(at(e, q), deformed.f[q]) / points_.count();
                 mean.diagonal().array() += pressure.dot(basis_of(e)[q]) / points_.count();
             }
             for (int i = 0; i < 3; ++i)
@@ -110,8 +113,8 @@ public:
     {
         if (!shape_.softens()) return;
         for (int e = 0; e < points_.elements(); ++e) {
-            const Nodal u = points_.gather(displacement, e);
-            for (int q = 0; q < points_.count(); ++q) shape_.accept(at(e, q), deformation(points_.of(e)[q], u));
+            const Deformed& deformed = deform(e, points_.gather(displacement, e));
+            for (int q = 0; q < points_.count(); ++q) shape_.accept(at(e, q), deformed.f[q]);
         }
     }
 
@@ -131,39 +134,47 @@ private:
         return static_cast<std::size_t>(element) * points_.count() + static_cast<std::size_t>(q);
     }
     const Basis* basis_of(int element) const { return basis_.data() + at(element, 0); }
-    static Tensor<D> deformation(const typename Points::Point& p, const Nodal& u)
+    /// Deformation gradients of one element at its integration points, their determinants and the least of these.
+    struct Deformed {
+        std::vector<Tensor<D>> f;
+        std::vector<double> j;
+        double least = 0;
+    };
+    /// Good until the next call.
+    const Deformed& deform(int e, const Nodal& u)
     {
-        return Tensor<D>::Identity() + u * p.gradient.transpose();
+        const auto points = points_.of(e);
+        deformed_.f.resize(points.size());
+        deformed_.j.resize(points.size());
+        deformed_.least = std::numeric_limits<double>::infinity();
+        for (std::size_t q = 0; q < points.size(); ++q) {
+            deformed_.f[q] = Tensor<D>::Identity() + u * points[q].gradient.transpose();
+            deformed_.j[q] = deformed_.f[q].determinant();
+            if (std::isnan(deformed_.j[q]) || deformed_.j[q] < deformed_.least) deformed_.least = deformed_.j[q];
+        }
+        return deformed_;
     }
     /// Coefficients of Pi (J - 1).
-    Basis dilatation(int e, const Nodal& u) const
+    Basis dilatation(int e, const Deformed& deformed) const
     {
         Basis sum = Basis::Zero();
-        for (int q = 0; q < points_.count(); ++q) {
-            const auto& p = points_.of(e)[q];
-            sum += p.volume * (deformation(p, u).determinant() - 1) * basis_of(e)[q];
-        }
+        for (int q = 0; q < points_.count(); ++q) sum += points_.of(e)[q].volume * (deformed.j[q] - 1) * basis_of(e)[q];
         return inverse_gram_[e] * sum;
-    }
-    Inversion find_inversion(int e, const Nodal& u) const
-    {
-        for (int q = 0; q < points_.count(); ++q)
-            if (const double det = deformation(points_.of(e)[q], u).determinant(); !(det > 0)) return {e, det};
-        return {};
     }
 
     /// With h = F^-T and B_m,a = integral of N_m J h grad N_a dV:
     ///
     ///     K = integral of grad N_a [ d2psi/dF2 + p J (h_ij h_kl - h_il h_kj) ] grad N_b dV + K B^T gram^-1 B
-    typename Points::Stiffness stiffness(int e, const Nodal& u) const
+    typename Points::Stiffness stiffness(int e, const Nodal& u)
     {
-        const Basis pressure = bulk_ * dilatation(e, u);
+        const Deformed& deformed = deform(e, u);
+        const Basis pressure = bulk_ * dilatation(e, deformed);
         typename Points::Stiffness k = Points::Stiffness::Zero();
         Eigen::Matrix<double, M, D* N> b = Eigen::Matrix<double, M, D * N>::Zero();
         for (int q = 0; q < points_.count(); ++q) {
             const auto& p = points_.of(e)[q];
-            const Tensor<D> f = deformation(p, u), h = f.inverse().transpose();
-            const double j = p.volume * f.determinant();
+            const Tensor<D>&f = deformed.f[q], h = f.inverse().transpose();
+            const double j = p.volume * deformed.j[q];
             const Tangent<D> a =
                 p.volume * shape_.tangent(at(e, q), f) + j * pressure.dot(basis_of(e)[q]) * cofactor_slope(h);
             add_products<D>(a, p.gradient, p.gradient, k);
@@ -190,6 +201,7 @@ private:
     double bulk_, density_;
     std::vector<Basis> basis_; // per point
     std::vector<Gram> inverse_gram_;
+    Deformed deformed_;
 };
 
 } // namespace fem
