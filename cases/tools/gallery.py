@@ -9,6 +9,7 @@ are there.
 """
 import re
 import sys
+from os.path import normpath
 from pathlib import Path
 
 from figure_style import plt
@@ -61,16 +62,19 @@ def entry(case: Path) -> str:
     """Heading, picture and the first paragraph of the case's README."""
     paragraphs = re.split(r"\n\s*\n", (case / "README.md").read_text(encoding="utf-8"))
     text = next((part for part in paragraphs[1:] if not part.startswith(("!", "#", "```", "|"))), "")
-    text = re.sub(r"\]\((?!http)", f"](../cases/{title(case)}/", text)                # links seen from docs/
+    text = re.sub(r"\]\((?!http)([^)]*)", lambda link: f"]({normpath(f'../cases/{title(case)}/{link[1]}')}", text)  # seen from docs/
     shown = f"![{title(case)}](pictures/{picture_of(case).name})\n\n" if picture_of(case).is_file() else ""
     return f"## [{paragraphs[0].splitlines()[0].lstrip('# ')}](../cases/{title(case)}/README.md)\n\n{shown}{text}\n\n    ./rivage run {title(case)}\n"
+
+
+def page() -> str:
+    return "\n".join([HEAD, *(entry(case) for case in find_cases([]) if (case / "README.md").is_file())])
 
 
 def main() -> int:
     for case in find_cases(sys.argv[2:]) if len(sys.argv) > 2 else []:
         draw(case, Path(sys.argv[1]))
-    cases = [case for case in find_cases([]) if (case / "README.md").is_file()]
-    (DOCS / "gallery.md").write_text("\n".join([HEAD, *map(entry, cases)]), encoding="utf-8")
+    (DOCS / "gallery.md").write_text(page(), encoding="utf-8")
     return 0
 
 

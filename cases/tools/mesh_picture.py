@@ -11,6 +11,7 @@ from field_file import open_fields
 from figure_style import WATER, plt
 from run_folder import RunFolder
 
+
 def draw_plane(figure, corners: np.ndarray, colours) -> None:
     axes = figure.add_subplot()
     axes.add_collection(PolyCollection(corners[:, :, :2], facecolors=colours, edgecolors="#333333", linewidths=0.3))

@@ -21,7 +21,7 @@ namespace fem {
 ///
 /// Their sum changes by the work of P alone, up or down, so the books close; what is lost is booked as the peak rises.
 struct Softening {
-    double r = 0;    ///< largest eta is lost by 1/r [-]; 0: no softening, else 1 or more
+    double r = 0;    ///< at most 1/r of the stress is lost [-]; 0: no softening, else 1 or more
     double m = 0;    ///< [J/m^3], above zero
     double beta = 0; ///< [-]
 

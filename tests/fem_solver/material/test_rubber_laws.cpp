@@ -2,6 +2,7 @@
 #include "coupler_lib/foundation/check.hpp"
 #include "fem_solver/material/point_law.hpp"
 #include "fem_solver/material/stability.hpp"
+#include "tests/fem_solver/support/consistent_law.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -35,20 +36,7 @@ class RubberLaws : public testing::TestWithParam<Law> {};
 template<int D> void expect_consistent(const Law& law, const Tensor<D>& f)
 {
     const auto point = make_point_law<D>(law);
-    const Tensor<D> stress = point->stress(f);
-    const Tangent<D> tangent = point->tangent(f);
-    const double h = 1e-6, scale = point->shear_modulus();
-    for (int j = 0; j < D; ++j)
-        for (int i = 0; i < D; ++i) {
-            Tensor<D> up = f, down = f;
-            up(i, j) += h;
-            down(i, j) -= h;
-            EXPECT_NEAR((point->energy(up) - point->energy(down)) / (2 * h), stress(i, j), 2e-8 * scale) << i << j;
-            const Tensor<D> change = (point->stress(up) - point->stress(down)) / (2 * h);
-            for (int l = 0; l < D; ++l)
-                for (int k = 0; k < D; ++k)
-                    EXPECT_NEAR(change(k, l), tangent(k + D * l, i + D * j), 2e-7 * scale) << k << l << i << j;
-        }
+    fem_test::expect_consistent<D>(*point, f, point->shear_modulus());
 }
 
 TEST_P(RubberLaws, StressIsTheSlopeOfTheEnergyAndTangentThatOfTheStress)

@@ -6,7 +6,8 @@
 namespace sph {
 namespace {
 
-TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
+/// The second one is beyond x = 1.
+Particles<2> three_particles()
 {
     Particles<2> particles;
     particles.resize(3);
@@ -16,6 +17,12 @@ TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
     particles.volume = {1.0, 1.0, 1.0};
     particles.mass = {1000.0, 1100.0, 1000.0};
     particles.momentum = {{0.0, 0.0}, {2200.0, -1100.0}, {0.0, 0.0}};
+    return particles;
+}
+
+TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
+{
+    Particles<2> particles = three_particles();
     const Tait eos{1000.0, 10.0};
     Outflow<2> outflow({{Vec<2>(1.0, 0.0), Vec<2>(2.0, 0.0)}}, eos, Vec<2>(0.0, -10.0));
     outflow.remove(particles);
@@ -35,14 +42,9 @@ TEST(Outflow, TakesOutWhatIsBeyondThePlaneAndCountsIt)
 /// What is marked goes too, and is told apart from what has left through an opening.
 TEST(Outflow, CountsWhatIsTrappedAsAPartOfAllThatIsGone)
 {
-    Particles<2> particles;
-    particles.resize(3);
-    particles.own_all();
-    particles.id = {10, 11, 12};
-    particles.position = {{0.5, 0.0}, {1.5, 2.0}, {0.9, 0.0}};
-    particles.volume = {1.0, 1.0, 1.0};
-    particles.mass = {1000.0, 1100.0, 1200.0};
-    particles.momentum = {{0.0, 0.0}, {2200.0, -1100.0}, {0.0, 1200.0}};
+    Particles<2> particles = three_particles();
+    particles.mass[2] = 1200.0;
+    particles.momentum[2] = {0.0, 1200.0};
     Outflow<2> outflow({{Vec<2>(1.0, 0.0), Vec<2>(2.0, 0.0)}}, Tait{1000.0, 10.0}, Vec<2>(0.0, 0.0));
     outflow.remove(particles, {0, 0, 1});
     EXPECT_EQ(particles.id, (std::vector<std::int64_t>{10}));
