@@ -4,7 +4,7 @@
 #include "fem_solver/material/invariant_law.hpp"
 #include "fem_solver/material/uniaxial_curve.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace fem {
