@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sph_solver/numerics/pack.hpp"
+
 #include <cmath>
 
 namespace sph {
@@ -21,7 +23,7 @@ struct Tait {
     template<class T> T pressure_at_ratio(T q) const
     {
         const T cube = q * q * q;
-        return stiffness() * (cube * cube * q - 1.0);
+        return stiffness() * multiply_add(cube * cube, q, T{} - 1.0);
     }
 
     /// Pressure from density [Pa]. \param rho [kg/m^3], positive.

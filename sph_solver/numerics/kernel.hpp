@@ -39,12 +39,13 @@ public:
     /// dW/dr [1/m^(D+1)], never positive.
     double derivative(double r) const { return -slope(r); }
 
-    /// |dW/dr| [1/m^(D+1)] without a branch: 3/4 [(2 - s)^2 - 4 (1 - s)^2] sigma / h^(D+1), brackets cut at zero.
+    /// |dW/dr| [1/m^(D+1)] without a branch: 3/4 [(2 - s)^2 - (2 - 2 s)^2] sigma / h^(D+1), brackets cut at zero.
     template<class T> T slope(T r) const
     {
-        const T outer = maximum(2.0 - r * inverse_h_, T{});
-        const T inner = maximum(1.0 - r * inverse_h_, T{});
-        return (0.75 * slope_) * (outer * outer - 4.0 * (inner * inner));
+        const T two = T{} + 2.0;
+        const T outer = maximum(subtract_product(two, r, T{} + inverse_h_), T{});
+        const T inner = maximum(subtract_product(two, r, T{} + 2.0 * inverse_h_), T{});
+        return (0.75 * slope_) * multiply_add(outer, outer, -(inner * inner));
     }
 
 private:

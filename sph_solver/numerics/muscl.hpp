@@ -71,8 +71,9 @@ template<int D, class T, class Limiter>
     }
     const auto factor = limiter.factors(product, squares);
     const T scale = pair.inverse_distance * inverse_c0;
-    return {q.i + factor[0] * slope[0], scale * (factor[2] * slope[2] - 0.5 * u_jump), q.j - factor[1] * slope[1],
-            scale * (0.5 * u_jump - factor[3] * slope[3])};
+    const T half_jump = 0.5 * u_jump;
+    return {multiply_add(factor[0], slope[0], q.i), scale * multiply_add(factor[2], slope[2], -half_jump),
+            subtract_product(q.j, factor[1], slope[1]), scale * subtract_product(half_jump, factor[3], slope[3])};
 }
 
 /// The frame of the same face. \param mean_velocity (v_i + v_j) / 2 [m/s]
@@ -106,15 +107,16 @@ template<int D, class T, class Limiter>
     const T side = select_positive(u, T{} + 1.0, T{} - 1.0);
     const T normal = u * face.inverse_distance;
     Across<D, T> tangential;
-    for (std::size_t a = 0; a < slope.size(); ++a) tangential[a] = side * (factor * slope[a] - 0.5 * face.jump[a]);
+    for (std::size_t a = 0; a < slope.size(); ++a)
+        tangential[a] = side * multiply_add(factor, slope[a], -0.5 * face.jump[a]);
     if constexpr (D == 2) {
         const T turned = tangential[0] * (face.inverse_distance * face.inverse_distance);
-        return {face.mean_velocity[0] + (normal * face.x[0] - turned * face.x[1]),
-                face.mean_velocity[1] + (normal * face.x[1] + turned * face.x[0])};
+        return {multiply_add(normal, face.x[0], subtract_product(face.mean_velocity[0], turned, face.x[1])),
+                multiply_add(normal, face.x[1], multiply_add(turned, face.x[0], face.mean_velocity[1]))};
     } else {
-        return {face.mean_velocity[0] + (tangential[0] + normal * face.x[0]),
-                face.mean_velocity[1] + (tangential[1] + normal * face.x[1]),
-                face.mean_velocity[2] + (tangential[2] + normal * face.x[2])};
+        return {multiply_add(normal, face.x[0], face.mean_velocity[0] + tangential[0]),
+                multiply_add(normal, face.x[1], face.mean_velocity[1] + tangential[1]),
+                multiply_add(normal, face.x[2], face.mean_velocity[2] + tangential[2])};
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -71,6 +72,9 @@ inline double multiply_add(double a, double b, double c)
 #endif
 }
 
+/// c - a b, rounded once where the processor can.
+inline double subtract_product(double c, double a, double b) { return multiply_add(-a, b, c); }
+
 #if defined(__AVX512F__)
 inline Pack maximum(Pack a, Pack b) // the masked form: GCC 12 warns of the plain one
 {
@@ -78,6 +82,7 @@ inline Pack maximum(Pack a, Pack b) // the masked form: GCC 12 warns of the plai
 }
 inline Pack square_root(Pack a) { return _mm512_mask_sqrt_pd(a, 0xff, a); }
 inline Pack multiply_add(Pack a, Pack b, Pack c) { return _mm512_fmadd_pd(a, b, c); }
+inline Pack subtract_product(Pack c, Pack a, Pack b) { return _mm512_fnmadd_pd(a, b, c); }
 #else
 inline Pack maximum(Pack a, Pack b)
 {
@@ -104,7 +109,26 @@ inline Pack multiply_add(Pack a, Pack b, Pack c)
     return a * b + c;
 #endif
 }
+inline Pack subtract_product(Pack c, Pack a, Pack b)
+{
+#if defined(__FMA__)
+    return _mm256_fnmadd_pd(a, b, c);
+#else
+    return c - a * b;
 #endif
+}
+#endif
+/// A choice of lanes: the first `count` of them.
+#if defined(__AVX512F__)
+using Lanes = __mmask8;
+inline Lanes first_lanes(std::size_t count) { return static_cast<Lanes>((1u << count) - 1u); }
+inline Pack choose(Lanes which, Pack chosen, Pack other) { return _mm512_mask_mov_pd(other, which, chosen); }
+#else
+using Lanes = std::int64_t __attribute__((vector_size(sizeof(Pack))));
+inline Lanes first_lanes(std::size_t count) { return Lanes{0, 1, 2, 3} < static_cast<std::int64_t>(count) - Lanes{}; }
+inline Pack choose(Lanes which, Pack chosen, Pack other) { return which ? chosen : other; }
+#endif
+
 /// Lane by lane: `if_positive` where sign > 0, else `otherwise`.
 inline Pack select_positive(Pack sign, Pack if_positive, Pack otherwise)
 {
@@ -119,11 +143,9 @@ inline Pack load_pack(const double* from)
     return pack;
 }
 
-inline void add_pack(double* to, Pack pack)
-{
-    pack += load_pack(to);
-    std::memcpy(to, &pack, sizeof(pack));
-}
+inline void store_pack(double* to, Pack pack) { std::memcpy(to, &pack, sizeof(pack)); }
+
+inline void add_pack(double* to, Pack pack) { store_pack(to, load_pack(to) + pack); }
 
 /// Calls visit(part, n) for the packs of a row of `count` entries: n is a pack's first entry, ascending, and `part`, a
 /// constant, tells which part of a unit it is.

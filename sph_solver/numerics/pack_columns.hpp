@@ -68,11 +68,11 @@ inline Pack joined(FourNumbers low, FourNumbers high)
     return transposed(rows);
 }
 
-/// The rows 0..7 of eight columns, each added to the eight numbers at place(k), one after the other.
-template<class Place> [[gnu::always_inline]] inline void add_rows(const std::array<Pack, 8>& column, Place place)
+/// Writes the rows 0..7 of eight columns, each to place(k).
+template<class Place> [[gnu::always_inline]] inline void store_rows(const std::array<Pack, 8>& column, Place place)
 {
     const auto row = transposed(column);
-    for (std::size_t k = 0; k < 8; ++k) add_pack(place(k), row[k]);
+    for (std::size_t k = 0; k < 8; ++k) store_pack(place(k), row[k]);
 }
 #else
 /// Eight columns of four rows, two at a time: out[c] holds component c of the rows 0..3.
@@ -97,14 +97,14 @@ template<class Place> [[gnu::always_inline]] inline void add_rows(const std::arr
             odd_pieces(odd_ab, odd_cd)};
 }
 
-/// The rows 0..3 of eight columns, each added to the eight numbers at place(k), one after the other.
-template<class Place> [[gnu::always_inline]] inline void add_rows(const std::array<Pack, 8>& column, Place place)
+/// Writes the rows 0..3 of eight columns, each to place(k).
+template<class Place> [[gnu::always_inline]] inline void store_rows(const std::array<Pack, 8>& column, Place place)
 {
     const auto low = transposed(column[0], column[1], column[2], column[3]);
     const auto high = transposed(column[4], column[5], column[6], column[7]);
     for (std::size_t k = 0; k < 4; ++k) {
-        add_pack(place(k), low[k]);
-        add_pack(place(k) + 4, high[k]);
+        store_pack(place(k), low[k]);
+        store_pack(place(k) + 4, high[k]);
     }
 }
 #endif

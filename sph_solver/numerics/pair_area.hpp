@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sph_solver/numerics/vector.hpp"
+#include "sph_solver/numerics/eigenvalues.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <variant>
 
@@ -29,19 +27,12 @@ struct RenormalisedArea {
 
     template<int D> Mat<D> renormaliser(const Mat<D>& moment) const
     {
-        const double t = std::clamp((least_eigenvalue<D>(moment) - 0.75) / 0.2, 0.0, 1.0);
+        constexpr double none = 0.75, full = 0.95;
         const Mat<D> identity = Mat<D>::Identity();
-        if (t == 0.0) return identity;
+        if (!eigenvalues_exceed<D>(moment, none)) return identity;
+        if (eigenvalues_exceed<D>(moment, full)) return moment.inverse();
+        const double t = std::clamp((least_eigenvalue_of<D>(moment) - none) / (full - none), 0.0, 1.0);
         return identity + (t * t * (3.0 - 2.0 * t)) * (moment.inverse() - identity);
-    }
-
-private:
-    template<int D> static double least_eigenvalue(const Mat<D>& m)
-    {
-        if constexpr (D == 2)
-            return 0.5 * (m(0, 0) + m(1, 1)) - std::hypot(0.5 * (m(0, 0) - m(1, 1)), m(0, 1));
-        else
-            return Eigen::SelfAdjointEigenSolver<Mat<D>>().computeDirect(m, Eigen::EigenvaluesOnly).eigenvalues()[0];
     }
 };
 

@@ -67,25 +67,28 @@ struct ExactRiemann {
         const T b_l = maximum(q_0 - q_l, T{}), b_r = maximum(q_0 - q_r, T{});
         const T s = q_0 * q_0, s_l = b_l * b_l, s_r = b_r * b_r;
         const T g = multiply_add(s, q_0, -c) + (s_l * b_l + s_r * b_r); // G
-        const T g1 = 3.0 * (s + (s_l + s_r));                           // G'
-        const T g2 = 3.0 * (q_0 + (b_l + b_r));                         // G'' / 2
-        const T q = q_0 - g * g1 / (g1 * g1 - g * g2);
+        const T g1 = s + (s_l + s_r);                                   // G' / 3
+        const T g2 = q_0 + (b_l + b_r);                                 // G'' / 6
+        const T q = q_0 - g * g1 / multiply_add(3.0 * g1, g1, -(g * g2));
         const T a_l = maximum(q - q_l, T{}), a_r = maximum(q - q_r, T{});
-        return {q, 0.5 * (u_l + u_r) + (1.0 / 6.0) * (cube_l - cube_r) + (1.0 / 3.0) * (cube(a_r) - cube(a_l))};
+        const T rarefactions = multiply_add(T{} + 1.0 / 6.0, cube_l - cube_r, 0.5 * (u_l + u_r));
+        return {q, multiply_add(T{} + 1.0 / 3.0, cube(a_r) - cube(a_l), rarefactions)};
     }
 
     /// C of the formula above, kept short of vacuum.
     template<class T> [[gnu::always_inline]] static T rarefaction_cube(const FaceStates<T>& face, T cube_l, T cube_r)
     {
         constexpr double smallest = 1e-3;
-        return maximum(0.5 * (cube_l + cube_r) + 1.5 * (face.u_l - face.u_r), smallest + T{});
+        return maximum(multiply_add(T{} + 1.5, face.u_l - face.u_r, 0.5 * (cube_l + cube_r)), smallest + T{});
     }
 
     /// C^(1/3) up to O((C - 1)^4).
     template<class T> [[gnu::always_inline]] static T cube_root_start(T c)
     {
         const T e = c - 1.0;
-        return (e * (8.0 / 9.0 + e * (2.0 / 27.0)) + 1.0) / (e * (5.0 / 9.0) + 1.0);
+        const T one = T{} + 1.0;
+        return multiply_add(multiply_add(e, T{} + 2.0 / 27.0, T{} + 8.0 / 9.0), e, one) /
+               multiply_add(e, T{} + 5.0 / 9.0, one);
     }
 };
 

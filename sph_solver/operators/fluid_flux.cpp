@@ -35,10 +35,10 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
     FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest, model, limiter, motion);
     const auto marks = particles_of(rows, records.size());
     rows.for_each([&](std::size_t k, int i) {
-        batch.reconstruct(i, to_solve(neighbours.before(k), marks), neighbours.packs_after(k), sums[k]);
-        if (batch.full()) batch.solve();
+        batch.pairs().add(i, k, to_solve(neighbours.before(k), marks), neighbours.after(k));
+        if (batch.pairs().full()) batch.solve(sums);
     });
-    batch.solve();
+    batch.solve(sums);
 }
 
 } // namespace

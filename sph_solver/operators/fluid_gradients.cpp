@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/operators/fluid_gradients.hpp"
 
+#include "sph_solver/numerics/eigenvalues.hpp"
+
 #include <Eigen/LU>
 
 namespace sph {
@@ -10,31 +12,6 @@ namespace {
 template<int D> struct PackedSums {
     static constexpr std::size_t velocity = D * (D + 1) / 2, ratio = velocity + D * D;
     static constexpr std::size_t count = ratio + D;
-
-    /// Place of M(a, b), a <= b, in its upper triangle row by row.
-    static constexpr std::size_t upper_triangle(std::size_t a, std::size_t b) { return a * D - a * (a + 1) / 2 + b; }
-
-    /// Adds the neighbours of a pack, given as columns (x, v, q, w), to the sums of particle i.
-    [[gnu::always_inline]] static inline void add(std::array<Pack, count>& sums, const std::array<Pack, 8>& neighbour,
-                                                  const double* state, const CubicSpline<D>& kernel)
-    {
-        std::array<Pack, D> x, weighted;
-        unrolled<D>([&](auto a) __attribute__((always_inline)) { x[a] = neighbour[a] - state[a]; });
-        const Pack r = square_root(dot(x, x) + 1e-300);
-        const Pack weight = neighbour[2 * D + 1] * (kernel.slope(r) / r);
-        unrolled<D>([&](auto a) __attribute__((always_inline)) { weighted[a] = weight * x[a]; });
-
-        const Pack ratio_jump = neighbour[2 * D] - state[2 * D];
-        unrolled<D>([&](auto a) __attribute__((always_inline)) {
-            const Pack velocity_jump = neighbour[D + a] - state[D + a];
-            sums[ratio + a] = multiply_add(ratio_jump, weighted[a], sums[ratio + a]);
-            unrolled<D>([&](auto b) __attribute__((always_inline)) {
-                constexpr std::size_t ab = upper_triangle(a, b), ab_v = velocity + a * D + b;
-                if constexpr (b >= a) sums[ab] = multiply_add(x[a], weighted[b], sums[ab]);
-                sums[ab_v] = multiply_add(velocity_jump, weighted[b], sums[ab_v]);
-            });
-        });
-    }
 
     static void write(GradientSums<D>& result, const PartSums<count>& parts, double rho0)
     {
@@ -50,44 +27,99 @@ template<int D> struct PackedSums {
     }
 };
 
-} // namespace
+/// A pack of neighbours of one particle, as the first loop leaves it to the second.
+template<int D> struct Differences {
+    std::array<Pack, D> x, velocity; ///< x_j - x_i, v_j - v_i
+    Pack ratio;                      ///< q_j - q_i
+    Pack weight;                     ///< w_j |W'| / r
 
-template<int D>
-void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records,
-                                const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
-{
-    const auto state_of = [&](int j) { return records.state(j); };
-    const CubicSpline<D> kernel = model.kernel;
-    sums.resize(rows.all());
-    rows.for_each([&](std::size_t k, int i) {
-        const double* state = records.state(i);
-        const auto row = neighbours.packs_of(k);
-        PartSums<PackedSums<D>::count> parts{};
-        for_each_part(
-            row.size(), [&](auto part, std::size_t n) __attribute__((always_inline)) {
-                PackedSums<D>::add(parts[part], load_columns<8>(state_of, &row[n]), state, kernel);
+    /// \param neighbour columns (x, v, q, w)
+    [[gnu::always_inline]] inline void find(const std::array<Pack, 8>& neighbour, const double* state,
+                                            const CubicSpline<D>& kernel)
+    {
+        unrolled<D>([&](auto a) __attribute__((always_inline)) {
+            x[a] = neighbour[a] - state[a];
+            velocity[a] = neighbour[D + a] - state[D + a];
+        });
+        ratio = neighbour[2 * D] - state[2 * D];
+        const Pack r = square_root(dot(x, x) + 1e-300);
+        weight = neighbour[2 * D + 1] * (kernel.slope(r) / r);
+    }
+
+    [[gnu::always_inline]] inline void add_to(std::array<Pack, PackedSums<D>::count>& sums) const
+    {
+        using At = PackedSums<D>;
+        std::array<Pack, D> weighted;
+        unrolled<D>([&](auto a) __attribute__((always_inline)) { weighted[a] = weight * x[a]; });
+        unrolled<D>([&](auto a) __attribute__((always_inline)) {
+            sums[At::ratio + a] = multiply_add(ratio, weighted[a], sums[At::ratio + a]);
+            unrolled<D>([&](auto b) __attribute__((always_inline)) {
+                constexpr std::size_t ab = upper_triangle<D>(a, b), ab_v = At::velocity + a * D + b;
+                if constexpr (b >= a) sums[ab] = multiply_add(x[a], weighted[b], sums[ab]);
+                sums[ab_v] = multiply_add(velocity[a], weighted[b], sums[ab_v]);
             });
-        PackedSums<D>::write(sums[k], parts, model.eos.rho0);
-    });
-}
+        });
+    }
+};
 
-template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit)
-{
-    const Mat<D> shifted = moment - limit * Mat<D>::Identity();
-    bool positive = shifted(0, 0) > 0.0 && shifted.template topLeftCorner<2, 2>().determinant() > 0.0;
-    if constexpr (D == 3) positive = positive && shifted.determinant() > 0.0;
-    return positive;
-}
+/// The work in two loops over a batch of rows: the root and the division of the first take so long that a processor overlaps
+/// packs enough only where little else waits for them.
+template<int D> class GradientBatch {
+public:
+    GradientBatch(GradientField<D>& sums, const PairRecords<D>& records, std::size_t longest_row,
+                  const FluidModel<D>& model)
+        : sums_(sums), records_(records), model_(model), packs_(filled + longest_row / pack_lanes + pack_parts)
+    {}
 
-template<int D>
-void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
-                      const FluidModel<D>& model)
+    /// Takes row k, of particle i: whole packs of its neighbours.
+    void add(std::size_t k, int i, std::span<const int> row)
+    {
+        const double* state = records_.state(i);
+        const auto state_of = [this](int j) { return records_.state(j); };
+        const CubicSpline<D> kernel = model_.kernel;
+        Differences<D>* pack = &packs_[size_];
+        for (std::size_t n = 0; n < row.size(); n += pack_lanes)
+            (pack++)->find(load_columns<8>(state_of, &row[n]), state, kernel);
+        size_ += row.size() / pack_lanes;
+        rows_[row_count_++] = {k, row.size()};
+        if (size_ >= filled || row_count_ == rows_.size()) sum();
+    }
+
+    /// Sums the rows that have been taken.
+    void sum()
+    {
+        const Differences<D>* packs = packs_.data();
+        for (const auto& [k, length] : std::span(rows_).first(row_count_)) {
+            PartSums<PackedSums<D>::count> parts{};
+            for_each_part(
+                length, [&](auto part, std::size_t) __attribute__((always_inline)) { (packs++)->add_to(parts[part]); });
+            PackedSums<D>::write(sums_[k], parts, model_.eos.rho0);
+        }
+        size_ = row_count_ = 0;
+    }
+
+private:
+    static constexpr std::size_t filled = 40; // packs: the batch stays within the nearest caches
+
+    struct Row {
+        std::size_t k = 0, length = 0;
+    };
+
+    GradientField<D>& sums_;
+    const PairRecords<D>& records_;
+    const FluidModel<D>& model_;
+    std::vector<Differences<D>> packs_;
+    std::array<Row, 32> rows_;
+    std::size_t size_ = 0, row_count_ = 0;
+};
+
+template<int D, class Area>
+void finish(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums, Area area)
 {
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const GradientSums<D>& sum = sums[k];
-        std::visit([&](auto area) { particles.renormaliser[i] = area.template renormaliser<D>(sum.moment); },
-                   model.pair_area);
+        particles.renormaliser[i] = area.template renormaliser<D>(sum.moment);
         rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
@@ -102,8 +134,25 @@ void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientFi
     }
 }
 
-template bool eigenvalues_exceed<2>(const Mat<2>&, double);
-template bool eigenvalues_exceed<3>(const Mat<3>&, double);
+} // namespace
+
+template<int D>
+void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& records,
+                                const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
+{
+    sums.resize(rows.all());
+    GradientBatch<D> batch(sums, records, neighbours.longest, model);
+    rows.for_each([&](std::size_t k, int i) { batch.add(k, i, neighbours.packs_of(k)); });
+    batch.sum();
+}
+
+template<int D>
+void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
+                      const FluidModel<D>& model)
+{
+    std::visit([&](auto area) { finish(particles, rates, sums, area); }, model.pair_area);
+}
+
 template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
                                             const RowSet&, const FluidModel<2>&);
 template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,

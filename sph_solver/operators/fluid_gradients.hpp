@@ -37,7 +37,4 @@ inline constexpr double least_eigenvalue = 0.2;
 /// digit, so it would not be damped, and an explicit step of second order feeds it (docs/theory/fluid.md).
 inline constexpr double thread_fill = 1.0 / 3.0;
 
-/// True where all eigenvalues of a symmetric matrix exceed a limit (by the minors of M - limit I).
-template<int D> bool eigenvalues_exceed(const Mat<D>& moment, double limit);
-
 } // namespace sph

@@ -30,19 +30,19 @@ struct ReachedNeighbours {
     }
 
     /// The same row in whole packs: its last unit may lack the second of two, which would add zero.
-    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const { return packs(begins[k], ends[k]); }
+    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
+    {
+        return {indices.data() + begins[k], (ends[k] - begins[k] + pack_lanes - 1) / pack_lanes * pack_lanes};
+    }
 
-    /// Its neighbours j < i, and those j > i in whole packs.
+    /// Its neighbours j < i, and those j > i.
     [[nodiscard]] std::span<const int> before(std::size_t k) const
     {
         return {indices.data() + begins[k], splits[k] - begins[k]};
     }
-    [[nodiscard]] std::span<const int> packs_after(std::size_t k) const { return packs(splits[k], ends[k]); }
-
-private:
-    [[nodiscard]] std::span<const int> packs(std::size_t begin, std::size_t end) const
+    [[nodiscard]] std::span<const int> after(std::size_t k) const
     {
-        return {indices.data() + begin, (end - begin + pack_lanes - 1) / pack_lanes * pack_lanes};
+        return {indices.data() + splits[k], ends[k] - splits[k]};
     }
 };
 

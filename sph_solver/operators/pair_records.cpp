@@ -19,16 +19,23 @@ template<int D> void PairRecords<D>::load_slope(const Particles<D>& particles, d
     auto& record = slopes_[i].data;
     for (std::size_t a = 0; a < D; ++a) {
         record[a] = particles.density_gradient[i][a] * inverse_rho0;
-        record[shift + a] = particles.shift[i][a];
         for (std::size_t b = 0; b < D; ++b) record[D + a * D + b] = particles.velocity_gradient[i](a, b);
     }
 }
 
 template<int D> void PairRecords<D>::load_area(const Particles<D>& particles, std::size_t i)
 {
-    auto& record = areas_[i].data;
+    const auto upper = particles.renormaliser[i].template triangularView<Eigen::Upper>();
     for (int a = 0; a < D; ++a)
-        for (int b = 0; b < D; ++b) record[static_cast<std::size_t>(a * D + b)] = particles.renormaliser[i](a, b);
+        for (int b = a; b < D; ++b) {
+            const std::size_t n = upper_triangle<D>(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+            (n < slope_areas ? slopes_[i].data[area_begin + n] : states_[i].data[7]) = upper(a, b);
+        }
+}
+
+template<int D> void PairRecords<D>::load_shift(const Particles<D>& particles, std::size_t i)
+{
+    for (std::size_t a = 0; a < D; ++a) shifts_[i].data[a] = particles.shift[i][a];
 }
 
 template<int D>
@@ -44,9 +51,11 @@ void PairRecords<D>::load_slopes(const Particles<D>& particles, const FluidModel
 {
     slopes_.resize(particles.size());
     for (const int i : which) load_slope(particles, 1.0 / model.eos.rho0, static_cast<std::size_t>(i));
-    if (std::holds_alternative<RawArea>(model.pair_area)) return;
-    areas_.resize(particles.size());
-    for (const int i : which) load_area(particles, static_cast<std::size_t>(i));
+    if (!std::holds_alternative<RawArea>(model.pair_area))
+        for (const int i : which) load_area(particles, static_cast<std::size_t>(i));
+    if (!std::holds_alternative<ShiftedMotion>(model.face_motion)) return;
+    shifts_.resize(particles.size());
+    for (const int i : which) load_shift(particles, static_cast<std::size_t>(i));
 }
 
 template class PairRecords<2>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sph_solver/operators/shifting.hpp"
 
-#include "sph_solver/operators/fluid_gradients.hpp"
+#include "sph_solver/numerics/eigenvalues.hpp"
 
 #include <algorithm>
 #include <cmath>

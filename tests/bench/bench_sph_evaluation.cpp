@@ -17,7 +17,7 @@ using namespace sph;
 template<int D> struct Evaluation {
     explicit Evaluation(int side)
         : dx(0.1 / side),
-          model{CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{}, Vec<D>::Zero()},
+          model{CubicSpline<D>(1.23 * dx), Tait{1000.0, 30.0}, VanAlbada{}, Vec<D>::Zero(), {}, {}, RenormalisedArea{}},
           particles(sample::jittered_lattice<D>(side, dx, 0.1, 1000.0)),
           search(model.kernel.support(), 0.15 * model.kernel.support()),
           in_reach(model.kernel.support())

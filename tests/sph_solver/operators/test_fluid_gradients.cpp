@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "sph_solver/numerics/eigenvalues.hpp"
 #include "sph_solver/operators/fluid_gradients.hpp"
 
 #include "sph_solver/operators/derived_fields.hpp"
