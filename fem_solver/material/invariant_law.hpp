@@ -36,7 +36,8 @@ template<class Isochoric> struct InvariantLaw {
     template<int D> Tensor<D> stress(const Tensor<D>& f) const
     {
         const Invariants<D> at(f);
-        return 2 * shape.slopes(at.excess()).first * at.half_slope(f) + bulk * (at.j - 1) * at.j * at.h;
+        const double s = 2 * shape.slopes(at.excess()).first * at.scale;
+        return s * f + (bulk * (at.j - 1) * at.j - s * at.i1 / 3) * at.h;
     }
     /// With s = 2 f' J^(-2/3) and q = K (J - 1) J - s I1/3:
     ///
@@ -49,7 +50,7 @@ template<class Isochoric> struct InvariantLaw {
         const double s = 2 * first * at.scale, q = bulk * (at.j - 1) * at.j - s * at.i1 / 3;
         const double c = bulk * (2 * at.j - 1) * at.j + 2 * s * at.i1 / 9;
         const Tensor<D>& h = at.h;
-        const Tensor<D> g = at.half_slope(f);
+        const Tensor<D> g = at.scale * (f - at.i1 / 3 * h);
         return tangent_of<D>([&](int i, int j, int k, int l) {
             return s * (i == k) * (j == l) - 2 * s / 3 * (f(i, j) * h(k, l) + h(i, j) * f(k, l)) +
                    4 * second * g(i, j) * g(k, l) + c * h(i, j) * h(k, l) - q * h(i, l) * h(k, j);
@@ -68,7 +69,6 @@ private:
             scale = 1 / (root * root);
         }
         double excess() const { return scale * i1 - 3; }
-        Tensor<D> half_slope(const Tensor<D>& f) const { return scale * (f - i1 / 3 * h); }
     };
 };
 

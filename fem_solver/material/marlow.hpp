@@ -30,17 +30,19 @@ struct MarlowEnergy {
 
 private:
     /// Nominal strain e = l - 1 of the tension that has the same I: e^3 + 3 e^2 = (1 + e) (I - 3), by Newton's iteration
-    /// from sqrt((I - 3)/3), which lies below the root; it comes down to it from the second iterate on.
+    /// from its series in s = sqrt((I - 3)/3), far from rest from s, which lies below the root. It doubles the digits, so a change by
+    /// 1e-8 of e is the last one.
     static double tension(double excess)
     {
         if (!(excess > 0)) return 0;
-        double strain = std::sqrt(excess / 3);
+        const double s = std::sqrt(excess / 3);
+        double strain = s < 1 ? s * (1 + s / 3 - s * s / 18) : s;
         for (int k = 0; k < 20; ++k) {
             const double square = strain * strain;
             const double change =
                 (strain * square + 3 * square - excess * (1 + strain)) / (3 * square + 6 * strain - excess);
             strain -= change;
-            if (std::abs(change) <= 1e-15 * strain) break;
+            if (std::abs(change) <= 1e-8 * strain) break;
         }
         return strain;
     }
