@@ -14,16 +14,23 @@ from pathlib import Path
 
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
 
-# name: commands, each as (ranks, program); a program of one rank is started without mpirun and uses Google Benchmark
+# name: commands, each as (ranks, program) or a Python script of this folder that starts what it needs; a program of one rank
+# is started without mpirun and uses Google Benchmark
 BENCHES = {
     "sph": [(1, "bench_sph_evaluation"), (1, "bench_neighbours")],
-    "fem": [(1, "bench_fem")],
+    "fem": [(1, "bench_fem"), "bench_block.py"],
     "coupler": [(2, "bench_coupler"), (4, "bench_coupler")],
+    "gate": ["bench_gate.py"],
+    "scaling": ["bench_scaling.py"],
 }
+BASELINES = {"gate_factorisation_kept": "gate_factorised_anew"}       # with the same arguments, in the same run
 GOOGLES_OWN = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations"}
 
 
-def command_of(ranks: int, program: Path, results: Path) -> list[str]:
+def command_of(entry, tests: Path, results: Path) -> list[str]:
+    if isinstance(entry, str):
+        return [sys.executable, str(Path(__file__).parent / entry), "--programs", str(tests.parents[1] / "bin"), "--tests", str(tests)]
+    ranks, program = entry[0], tests / entry[1]
     if ranks == 1:
         return [str(program), f"--benchmark_out={results}", "--benchmark_out_format=json"]
     shared = ["--oversubscribe", "--mca", "mpi_yield_when_idle", "1"] if ranks > (os.cpu_count() or 1) else []
@@ -39,6 +46,20 @@ def googles_figures(results: Path) -> list[str]:
                 continue
             name = f"{metric}_{bench['time_unit']}" if metric.endswith("_time") else metric
             figures.append(json.dumps({"bench": bench["name"], "metric": name, "value": value, "ranks": 1}) + "\n")
+    return figures
+
+
+def ratios(results: Path) -> list[str]:
+    """How many times slower the baseline is than what it is the baseline of, one JSON line each."""
+    times = {bench["name"]: bench["real_time"] for bench in json.loads(results.read_text(encoding="utf-8"))["benchmarks"]
+             if bench.get("run_type") != "aggregate"}
+    figures = []
+    for name, time in times.items():
+        family, *rest = name.split("/")
+        baseline = "/".join([BASELINES.get(family, ""), *rest])
+        if baseline in times:
+            figures.append(json.dumps({"bench": name, "metric": f"times_faster_than_{BASELINES[family]}",
+                                       "value": round(times[baseline] / time, 3), "ranks": 1}) + "\n")
     return figures
 
 
@@ -69,9 +90,13 @@ def main() -> int:
     figures = []
     with tempfile.TemporaryDirectory(prefix="rivage_") as folder:
         results = Path(folder, "google.json")
-        for ranks, program in (command for name in arguments.names or BENCHES for command in BENCHES[name]):
-            figures += run(command_of(ranks, arguments.programs / program, results))
-            figures += googles_figures(results) if ranks == 1 else []
+        for entry in (entry for name in arguments.names or BENCHES for entry in BENCHES[name]):
+            results.unlink(missing_ok=True)
+            figures += run(command_of(entry, arguments.programs, results))
+            if results.exists():
+                compared = ratios(results)
+                print("".join(compared), end="", flush=True)
+                figures += googles_figures(results) + compared
     if arguments.json:
         arguments.json.write_text("".join(figures))
     return 0
