@@ -4,7 +4,7 @@
 usage: verify.py [CASE ...] [--programs BIN_FOLDER] [--run NAME ...] [--json FILE] [--out FOLDER] [--keep-page] [--test] [--page]
 
 Nothing is cached: every run is made anew, under runs/verify. Without a case: all of them; a group's name (`solid`) stands for its cases. `--run` makes only the runs of that
-name; `--test` the small siblings alone, for ctest; `--page` runs nothing and renews the page, with the causes of misses as they
+name, whose rows alone are renewed then; `--test` the small siblings alone, for ctest; `--page` runs nothing and renews the page, with the causes of misses as they
 stand in expect.toml now. Ends with 1 when a judged figure misses, 2 for bad input.
 """
 import argparse
@@ -124,8 +124,8 @@ def main() -> int:
         records += verify_case(folder, chosen, arguments)
         if arguments.json:
             arguments.json.write_text("".join(json.dumps(record) + "\n" for record in records), encoding="utf-8")
-        if not (arguments.keep_page or arguments.test or arguments.names) and folder.is_relative_to(CASES):
-            write_page(ROOT / "docs", records)
+        if not (arguments.keep_page or arguments.test) and folder.is_relative_to(CASES):
+            write_page(ROOT / "docs", records, some_runs=bool(arguments.names))
     if not records:
         print("verify: nothing is expected of these runs", file=sys.stderr)
         return 2

@@ -2,7 +2,7 @@
 """The generated part of docs/verification.md: what stands between its two markers, misses first.
 
 The records behind it are kept in docs/verification_results.jsonl, one JSON object a figure: a run of `verify` replaces those of
-the cases that it ran, the page is made anew from all. Everything outside the markers is written by hand and left alone;
+the cases that it ran, or with `--run` those of the runs alone; the page is made anew from all. Everything outside the markers is written by hand and left alone;
 the cause of a miss stands beside its expectation (`miss = "..."` in expect.toml).
 """
 import json
@@ -94,16 +94,20 @@ def with_causes(records: list[dict], cases: Path) -> list[dict]:
     return records
 
 
-def merged(old: list[dict], new: list[dict]) -> list[dict]:
-    cases = {record["case"] for record in new}
-    return sorted([record for record in old if record["case"] not in cases] + new, key=lambda record: record["case"])
+def merged(old: list[dict], new: list[dict], some_runs: bool) -> list[dict]:
+    """The old records with the new ones in place of those of the same cases, or of the same runs of them."""
+    def key(record: dict) -> tuple:
+        return (record["case"], record.get("run")) if some_runs else (record["case"],)
+
+    made_anew = {key(record) for record in new}
+    return sorted([record for record in old if key(record) not in made_anew] + new, key=lambda record: record["case"])
 
 
-def write_page(docs: Path, new: list[dict]) -> None:
-    """Takes the new records into the file of results and renews the page. Throws ValueError when the markers are gone."""
+def write_page(docs: Path, new: list[dict], some_runs: bool = False) -> None:
+    """Takes the new records, of whole cases or of some of their runs, into the file of results and renews the page. Throws ValueError when the markers are gone."""
     results, path = docs / "verification_results.jsonl", docs / "verification.md"
     old = [json.loads(text) for text in results.read_text(encoding="utf-8").splitlines()] if results.exists() else []
-    records = with_causes(merged(old, new), docs.parent / "cases")
+    records = with_causes(merged(old, new, some_runs), docs.parent / "cases")
     text = path.read_text(encoding="utf-8")
     if text.count(BEGIN) != 1 or text.count(END) != 1:
         raise ValueError(f"{path}: the markers '{BEGIN}' and '{END}' must stand there once each")

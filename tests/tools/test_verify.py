@@ -160,6 +160,15 @@ class Page(Scratch):
         self.assertEqual([(record["case"], record["value"]) for record in records], [("a", 1.0), ("b", 3.0)])
         self.assertTrue(math.isclose(records[1]["wall_s"], 2.0))
 
+    def test_one_run_of_a_case_leaves_its_others(self):
+        write(self.path / "verification.md", f"{BEGIN}\n{END}\n")
+        coarse, fine = (self.record("a", 1.0, high=2) | {"run": run} for run in ("coarse", "fine"))
+        write_page(self.path, [coarse, fine, self.record("b", 1.0, high=2)])
+        write_page(self.path, [fine | {"value": 1.5}], some_runs=True)
+        records = [json.loads(text) for text in (self.path / "verification_results.jsonl").read_text().splitlines()]
+        self.assertEqual([(record["case"], record["run"], record["value"]) for record in records],
+                         [("a", "coarse", 1.0), ("a", "fine", 1.5), ("b", "r", 1.0)])
+
     def test_a_cause_found_later_comes_from_expect_toml(self):
         docs = self.path / "docs"
         write(docs / "verification.md", f"{BEGIN}\n{END}\n")
