@@ -25,6 +25,8 @@ def curves(run: RunFolder):
         left.plot(1e3 * table["t"], 1e3 * table["w"], style, color=REFERENCE, linewidth=0.9, label=label)
     wagner = Table(HERE / "reference" / "hydroelastic_wagner.csv")
     left.plot(1e3 * wagner["t"], 1e3 * wagner["w_x0.30_mid"], ":", color=REFERENCE, label="hydroelastic Wagner")
+    nonlinear = Table(HERE / "reference" / "hydroelastic_logvinovich.csv")
+    left.plot(1e3 * nonlinear["t"], 1e3 * nonlinear["w_x0.30_mid"], "-.", color=REFERENCE, linewidth=0.9, label="with modified Logvinovich pressure")
     left.set(title="Deflection of the panel's middle", xlabel="t [ms]", ylabel="[mm]")
     for point, colour in (("A", FLUID), ("C", SOLID)):
         draw(right, 1e3 * t, 1e-6 * pressure(run, point)[1], color=colour, label=point, linewidth=0.8)

@@ -126,12 +126,17 @@ def figures(deadrise: float, cells: int) -> np.ndarray:
     flow = solved(deadrise, cells)
     s, p = flow.pressure()
     force = 2 * np.cos(deadrise) * np.sum(p * flow.a * flow.wedge) * flow.dx
-    return np.array([force, 2 * p.max(), 2 * p[0], np.sin(deadrise) * s[np.argmax(p)], 180 * flow.m, flow.length, flow.tip_error])
+    peak = s[np.argmax(p)]
+    root = (flow.length - peak) * np.tan(np.pi * flow.m)             # the jet as a triangle from the peak on, all at the tip's speed
+    area, tip = 0.5 * root * (flow.length - peak), abs(flow.length * np.exp(1j * deadrise) - 1j)
+    return np.array([force, 2 * p.max(), 2 * p[0], np.sin(deadrise) * peak, 180 * flow.m, flow.length, flow.tip_error,
+                     root, 2 * area * np.tan(deadrise), 2 * area * tip**2 / force])
 
 
 def main() -> None:
     names = ("force of the whole wedge / rho V^3 t", "largest pressure / (rho V^2 / 2)", "pressure at the apex / (rho V^2 / 2)",
-             "height of the peak above the apex / V t", "angle of the jet [degrees]", "wetted length with the jet / V t", "speed at the tip, error / V")
+             "height of the peak above the apex / V t", "angle of the jet [degrees]", "wetted length with the jet / V t", "speed at the tip, error / V",
+             "jet's thickness at the peak / V t", "jet's share of the displaced water", "jet's share of the work")
     for degrees in [float(a) for a in sys.argv[1:]] or [10.0]:
         coarse, fine = (figures(np.radians(degrees), cells) for cells in (450, 900))
         print(f"deadrise {degrees} degrees: 450 cells, 900, limit of second order")
