@@ -27,7 +27,10 @@ plt.rcParams.update({
 
 
 def as_image(figure, kind: str = "svg", alt: str = "") -> str:
-    """The figure as a self-contained <img>; closes it. SVG for lines, PNG where many particles are drawn."""
+    """The figure as a self-contained <img>; closes it. SVG for lines, PNG where many particles are drawn; an animation comes as the
+    bytes of a GIF."""
+    if kind == "gif":
+        return f'<img alt="{alt}" src="data:image/gif;base64,{base64.b64encode(figure).decode("ascii")}">'
     buffer = io.BytesIO()
     figure.savefig(buffer, format=kind, dpi=150)
     plt.close(figure)

@@ -1,18 +1,32 @@
 # SPDX-License-Identifier: MIT
 """The tyre's block: conservation of the water, momentum of block and water, energy, and how dry the ground is under the block."""
+import tomllib
+from pathlib import Path
+
 import numpy as np
 
 from convergence import spacing
 from field_file import FieldFile
 from run_folder import RunFolder
 
-LENGTH, WIDTH, TALL, DENSITY, CELLS = 0.012, 0.004, 0.010, 1150.0, (12, 4, 5)      # of the block [m], kg/m^3
-GROUND = (0.00035, 0.008, 0.00025, 0.008)                # amplitudes and lengths of ground.toml [m]
+HEIGHT = tomllib.loads((Path(__file__).resolve().parent / "ground.toml").read_text(encoding="utf-8"))["height"]
+GROUND = compile(HEIGHT.replace("^", "**"), "ground.toml", "eval")
+NAMES = {"__builtins__": {}, "cos": np.cos, "sin": np.sin, "pi": np.pi}
 
 
 def ground(x: np.ndarray) -> np.ndarray:
-    a, length, b, width = GROUND
-    return a * np.cos(2 * np.pi * x[:, 0] / length) + b * np.cos(2 * np.pi * x[:, 1] / width)
+    """Height of the ground of ground.toml below points [m]."""
+    return eval(GROUND, NAMES, {"x": x[:, 0], "y": x[:, 1]})
+
+
+def used(run: RunFolder) -> dict:
+    return tomllib.loads((run.path / "used_config.toml").read_text(encoding="utf-8"))
+
+
+def block_size(run: RunFolder) -> np.ndarray:
+    """Length, width and height of the block [m]."""
+    mesh = used(run)["solid"]["mesh"]
+    return np.subtract(mesh["high"], mesh["low"])
 
 
 def vector(table, name: str) -> np.ndarray:
@@ -41,7 +55,8 @@ def water_momentum_error(run: RunFolder, entry: dict) -> float:
 def block_momentum(run: RunFolder) -> tuple[np.ndarray, np.ndarray]:
     """Times of the outputs and the block's momentum then [kg m/s]: its bricks' mass times their mean nodal velocity."""
     fields = FieldFile(run.file("solid/fields.h5"))
-    mass = DENSITY * LENGTH * WIDTH * TALL / np.prod(CELLS)
+    solid = used(run)["solid"]
+    mass = solid["material"]["rubber"]["density"] * np.prod(block_size(run)) / np.prod(solid["mesh"]["cells"])
     steps = [fields.read(k) for k in range(len(fields.times))]
     cells = steps[0].connectivity if steps[0].connectivity is not None else steps[-1].connectivity
     return fields.times, np.array([mass * step.fields["velocity"][cells].mean(axis=1).sum(axis=0) for step in steps]).T
@@ -75,14 +90,31 @@ def energy_error(run: RunFolder, entry: dict) -> float:
 def drained(run: RunFolder, entry: dict) -> float:
     """Share of the water within dx of the ground that has gone from under the block at the time `at`; above ground higher than
     `higher` [m] only."""
-    fields, dx = FieldFile(run.file("fluid/fields.h5")), spacing(run)
+    fields, dx, length = FieldFile(run.file("fluid/fields.h5")), spacing(run), block_size(run)[0]
     sole = run.table("solid/probes.csv")
     rear = np.interp(entry["at"], sole["t"], sole["sole.ux"])
 
     def near(step) -> float:
+        if step is None:
+            raise ValueError(f"no fields at {entry['at']:g} s")
         x = step.points
         height = ground(x)
-        under = (x[:, 0] > rear) & (x[:, 0] < rear + LENGTH) & (x[:, 2] - height < dx) & (height > entry.get("higher", -1.0))
+        under = (x[:, 0] > rear) & (x[:, 0] < rear + length) & (x[:, 2] - height < dx) & (height > entry.get("higher", -1.0))
         return float(step.fields["mass"][under].sum())
 
     return 1 - near(fields.nearest(entry["at"])) / near(fields.read(0))
+
+
+def other_run(entry: dict) -> RunFolder:
+    return RunFolder(entry["beside"] / entry["reference"]["run"])
+
+
+def impulse_difference(run: RunFolder, entry: dict) -> float:
+    """Impulse of the driven face against that of another run, at every row of the table; over that one's largest."""
+    mine, theirs = run.table("solid/reactions.csv"), other_run(entry).table("solid/reactions.csv")
+    own, other = (impulse(table, vector(table, "front.f")) for table in (mine, theirs))
+    return float(np.abs(own - at(mine["t"], theirs, other)).max() / np.abs(other).max())
+
+
+def drained_difference(run: RunFolder, entry: dict) -> float:
+    return abs(drained(run, entry) - drained(other_run(entry), entry))

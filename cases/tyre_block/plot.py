@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of the tyre's block: thickness of the film from above, before, under and behind the block; forces over time."""
+"""Pictures of the tyre's block: an animation, the film from above, what presses on the sole, and forces and slip over time.
+
+usage: plot.py RUN FOLDER      writes them into the folder
+"""
 import sys
 from pathlib import Path
 
@@ -8,20 +11,17 @@ sys.path[:0] = [str(HERE), str(HERE.parent / "tools")]
 
 import numpy as np  # noqa: E402
 
-from convergence import spacing  # noqa: E402
 from field_file import open_fields  # noqa: E402
-from figure_style import FLUID, SOLID, draw, plt  # noqa: E402
-from measure import LENGTH, WIDTH  # noqa: E402
+from figure_style import FLUID, SOLID, WATER, draw, plt  # noqa: E402
+from film_picture import DEEPEST, Film, animation, hull  # noqa: E402
+from measure import block_size, used  # noqa: E402
 from run_folder import RunFolder  # noqa: E402
 
-SPAN = (-0.008, 0.028)                                           # of x in the pictures [m]
-
-
-def thickness(step, cell: float) -> np.ndarray:
-    """Volume of water over each square of the ground, per area [m]."""
-    shape = (round((SPAN[1] - SPAN[0]) / cell), round(WIDTH / cell))
-    volume, *_ = np.histogram2d(step.points[:, 0], step.points[:, 1], shape, (SPAN, (0, WIDTH)), weights=step.fields["volume"])
-    return volume / ((SPAN[1] - SPAN[0]) / shape[0] * WIDTH / shape[1])
+CAPTIONS = ("The film from above; the lines are the rear and the front of its sole.",
+            "What presses on the sole: rubber on the ground, and the water between them (mean over each square's height); and the way that the sole "
+            "has slipped in contact. Seen from above.",
+            "Forces on the block from below, friction over load along the slide, and the speed of the sole's rear edge.",
+            "Block, ground and film; the ground is bare where less than a quarter of dx is left.")
 
 
 def film(run: RunFolder):
@@ -29,14 +29,14 @@ def film(run: RunFolder):
     fields, sole = open_fields(run.file("fluid/fields.h5")), run.table("solid/probes.csv")
     if fields is None or sole is None or len(fields.times) < 2:
         return None
-    times = np.linspace(0, fields.times[-1], 5)
+    times, squares, length = np.linspace(0, fields.times[-1], 5), Film(run), 1e3 * block_size(run)[0]
     figure, rows = plt.subplots(len(times), 1, figsize=(9, 7.5), sharex=True, layout="constrained")
     for axes, time in zip(rows, times):
-        image = axes.imshow(1e3 * thickness(fields.nearest(time), 2 * spacing(run)).T, origin="lower", aspect="equal", cmap="Blues", vmin=0,
-                            vmax=2.5, extent=(1e3 * SPAN[0], 1e3 * SPAN[1], 0, 1e3 * WIDTH))
-        rear = np.interp(time, sole["t"], sole["sole.ux"])
-        for edge in (rear, rear + LENGTH):
-            axes.axvline(1e3 * edge, color=SOLID, linewidth=1.2)
+        image = axes.imshow(1e3 * squares.thickness(fields.nearest(time)).T, origin="lower", aspect="equal", cmap="Blues", vmin=0,
+                            vmax=1e3 * DEEPEST, extent=[1e3 * end for end in squares.span])
+        rear = 1e3 * np.interp(time, sole["t"], sole["sole.ux"])
+        for edge in (rear, rear + length):
+            axes.axvline(edge, color=SOLID, linewidth=1.2)
         axes.set(ylabel="y [mm]", title=f"{1e3 * time:.2f} ms")
         axes.grid(False)
     rows[-1].set(xlabel="x [mm]")
@@ -44,31 +44,83 @@ def film(run: RunFolder):
     return figure
 
 
-def forces(run: RunFolder):
-    """What the ground and the water do to the block."""
-    contact, load = run.table("solid/contact.csv"), run.table("coupling/interface.csv")
-    if contact is None or load is None:
+def instants(run: RunFolder, times: np.ndarray) -> list[int]:
+    """Outputs: of the water's largest load, before the slide, in its middle and the last."""
+    load, sole = run.table("coupling/interface.csv"), run.table("solid/probes.csv")
+    still = sole["t"][np.abs(sole["sole.ux"]) < 1e-4 * block_size(run)[0] + 1e-5]
+    wanted = (load["t"][load["force_received_z"].argmax()], still[-1], 0.5 * (still[-1] + times[-1]), times[-1])
+    return sorted({int(np.argmin(np.abs(times - time))) for time in wanted})
+
+
+def sole_of(fields, low: float) -> np.ndarray:
+    """Corners (n x 4) of the facets of the sole, which lay at the height `low` [m] at first."""
+    first = fields.read(0)
+    faces = hull(first.connectivity if first.connectivity is not None else fields.read(len(fields.times) - 1).connectivity)
+    return faces[np.all(np.abs(first.points[faces][:, :, 2] - low) < 1e-9, axis=1)]
+
+
+def under_the_sole(run: RunFolder):
+    """Pressure of contact, pressure of water and way slipped over the sole, a row an instant."""
+    fields, water = open_fields(run.file("solid/fields.h5")), open_fields(run.file("fluid/fields.h5"))
+    if fields is None or water is None or run.table("coupling/interface.csv") is None or run.table("solid/probes.csv") is None:
         return None
-    figure, axes = plt.subplots(figsize=(9, 3.4), layout="constrained")
-    draw(axes, 1e3 * contact["t"], contact["back.normal_z"], color=SOLID, label="contact, up")
-    draw(axes, 1e3 * contact["t"], -contact["back.friction_x"], color="0.4", label="friction, back")
-    draw(axes, 1e3 * load["t"], load["force_received_z"], color=FLUID, label="water, up", linewidth=0.8)
-    axes.set(xlabel="t [ms]", ylabel="[N]")
-    axes.legend(fontsize=7.5)
+    chosen = [index for index in instants(run, fields.times) if index < len(water.times)]
+    facets, squares = sole_of(fields, used(run)["solid"]["mesh"]["low"][2]), Film(run)
+    steps = [(fields.read(index), water.read(index)) for index in chosen]
+    top = 1e-6 * max(step.fields["contact_pressure"].max() for step, _ in steps)
+    wettest = 1e-6 * max(np.nanpercentile(squares.pressure(wet), 98) for _, wet in steps)
+    farthest = 1e3 * max(step.fields["contact_slip"].max() for step, _ in steps)
+    figure, rows = plt.subplots(len(chosen), 3, figsize=(11, 1.55 * len(chosen) + 0.6), layout="constrained", squeeze=False)
+    for row, (step, wet) in zip(rows, steps):
+        x, y = 1e3 * step.points[:, 0], 1e3 * step.points[:, 1]
+        split = np.concatenate((facets[:, :3], facets[:, [0, 2, 3]]))
+        pressed = row[0].tripcolor(x, y, split, 1e-6 * step.fields["contact_pressure"], cmap="OrRd", vmin=0, vmax=top, shading="gouraud")
+        image = row[1].imshow(1e-6 * squares.pressure(wet).T, origin="lower", cmap=WATER, vmin=0, vmax=wettest, extent=[1e3 * end for end in squares.span])
+        slipped = row[2].tripcolor(x, y, split, 1e3 * step.fields["contact_slip"], cmap="Greys", vmin=0, vmax=farthest, shading="gouraud")
+        inside = x[facets].min(), x[facets].max()
+        for axes in row:
+            axes.set(xlim=inside, ylim=(y[facets].min(), y[facets].max()), aspect="equal")
+            axes.grid(False)
+        row[0].set(title=f"{1e3 * step.time:.2f} ms", ylabel="y [mm]")
+    for column, (mark, label) in enumerate(((pressed, "contact [MPa]"), (image, "water [MPa]"), (slipped, "slipped [mm]"))):
+        figure.colorbar(mark, ax=list(rows[:, column]), location="bottom", label=label, aspect=30)
+    return figure
+
+
+def forces(run: RunFolder):
+    """What the ground and the water do to the block, friction over load, and the speed of the sole."""
+    contact, load, sole = run.table("solid/contact.csv"), run.table("coupling/interface.csv"), run.table("solid/probes.csv")
+    if contact is None or load is None or sole is None:
+        return None
+    figure, (top, middle, low) = plt.subplots(3, 1, figsize=(9, 7), sharex=True, layout="constrained")
+    t, normal, friction = 1e3 * contact["t"], contact["back.normal_z"], -contact["back.friction_x"]
+    draw(top, t, normal, color=SOLID, label="contact, up")
+    draw(top, t, friction, color="0.4", label="friction, back")
+    draw(top, 1e3 * load["t"], load["force_received_z"], color=FLUID, label="water, up", linewidth=0.8)
+    top.set(ylabel="[N]")
+    top.legend(fontsize=7.5)
+    pressed = normal > 0.05 * normal.max()
+    middle.plot(t[pressed], friction[pressed] / normal[pressed], color="0.4")
+    middle.axhline(used(run)["solid"]["contact"][0]["friction"], color="0.7", linewidth=0.8, linestyle="--")
+    middle.set(ylabel="friction over load, x [-]")
+    draw(low, 1e3 * sole["t"], sole["sole.vx"], color=SOLID, label="sole, rear edge")
+    low.set(xlabel="t [ms]", ylabel="velocity along x [m/s]")
+    low.legend(fontsize=7.5)
     return figure
 
 
 def pictures(run: RunFolder) -> list[tuple]:
     """(figure, kind, caption) of each picture for the report."""
-    return [(film(run), "png", "The film from above; the lines are the rear and the front of its sole."),
-            (forces(run), "svg", "Forces on the block from below.")]
+    return list(zip((film(run), under_the_sole(run), forces(run), animation(run)), ("png", "png", "svg", "gif"), CAPTIONS))
 
 
 def main() -> int:
     run, folder = RunFolder(Path(sys.argv[1])), Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    for name, figure in (("film", film(run)), ("forces", forces(run))):
-        if figure is not None:
+    for name, (figure, kind, _) in zip(("film", "under_the_sole", "forces", "animation"), pictures(run)):
+        if kind == "gif" and figure is not None:
+            (folder / f"{name}.gif").write_bytes(figure)
+        elif figure is not None:
             figure.savefig(folder / f"{name}.png", dpi=110)
     return 0
 
