@@ -41,6 +41,8 @@ foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydros
     rivage_coupled_test(small_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
 endforeach()
+rivage_coupled_test(small_tyre_block ${PROJECT_SOURCE_DIR}/cases/tools/verify.py tyre_block --test --run coarse --programs ${RIVAGE_PROGRAMS}
+                    --out ${CMAKE_BINARY_DIR}/tests/small)
 # The solid alone against exact answers, each run short enough as it stands.
 foreach(case elastica rubber_bar thick_cylinder cook turek_hron tyre_block/dry_slide)
     string(REPLACE / _ name ${case})
