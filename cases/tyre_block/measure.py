@@ -90,16 +90,17 @@ def energy_error(run: RunFolder, entry: dict) -> float:
 def drained(run: RunFolder, entry: dict) -> float:
     """Share of the water within dx of the ground that has gone from under the block at the time `at`; above ground higher than
     `higher` [m] only."""
-    fields, dx, length = FieldFile(run.file("fluid/fields.h5")), spacing(run), block_size(run)[0]
+    fields, dx, mesh = FieldFile(run.file("fluid/fields.h5")), spacing(run), used(run)["solid"]["mesh"]
     sole = run.table("solid/probes.csv")
     rear = np.interp(entry["at"], sole["t"], sole["sole.ux"])
 
     def near(step) -> float:
         if step is None:
             raise ValueError(f"no fields at {entry['at']:g} s")
-        x = step.points
-        height = ground(x)
-        under = (x[:, 0] > rear) & (x[:, 0] < rear + length) & (x[:, 2] - height < dx) & (height > entry.get("higher", -1.0))
+        height = ground(step.points)
+        x = step.points - (rear, 0, 0)
+        under = np.all((x > mesh["low"])[:, :2] & (x < mesh["high"])[:, :2], axis=1)
+        under &= (x[:, 2] - height < dx) & (height > entry.get("higher", -1.0))
         return float(step.fields["mass"][under].sum())
 
     return 1 - near(fields.nearest(entry["at"])) / near(fields.read(0))

@@ -10,6 +10,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "tools")]
 
 import numpy as np  # noqa: E402
+from matplotlib.colors import PowerNorm  # noqa: E402
 
 from field_file import open_fields  # noqa: E402
 from figure_style import FLUID, SOLID, WATER, draw, plt  # noqa: E402
@@ -19,7 +20,7 @@ from run_folder import RunFolder  # noqa: E402
 
 CAPTIONS = ("The film from above; the lines are the rear and the front of its sole.",
             "What presses on the sole: rubber on the ground, and the water between them (mean over each square's height); and the way that the sole "
-            "has slipped in contact. Seen from above.",
+            "has slipped in contact. From above; contact and slip where the rubber was at first, the water where it is.",
             "Forces on the block from below, friction over load along the slide, and the speed of the sole's rear edge.",
             "Block, ground and film; the ground is bare where less than a quarter of dx is left.")
 
@@ -47,7 +48,7 @@ def film(run: RunFolder):
 def instants(run: RunFolder, times: np.ndarray) -> list[int]:
     """Outputs: of the water's largest load, before the slide, in its middle and the last."""
     load, sole = run.table("coupling/interface.csv"), run.table("solid/probes.csv")
-    still = sole["t"][np.abs(sole["sole.ux"]) < 1e-4 * block_size(run)[0] + 1e-5]
+    still = sole["t"][np.abs(sole["sole.ux"]) <= 0.1 * np.abs(sole["sole.ux"]).max()]
     wanted = (load["t"][load["force_received_z"].argmax()], still[-1], 0.5 * (still[-1] + times[-1]), times[-1])
     return sorted({int(np.argmin(np.abs(times - time))) for time in wanted})
 
@@ -67,23 +68,23 @@ def under_the_sole(run: RunFolder):
     chosen = [index for index in instants(run, fields.times) if index < len(water.times)]
     facets, squares = sole_of(fields, used(run)["solid"]["mesh"]["low"][2]), Film(run)
     steps = [(fields.read(index), water.read(index)) for index in chosen]
+    first = 1e3 * fields.read(0).points
     top = 1e-6 * max(step.fields["contact_pressure"].max() for step, _ in steps)
     wettest = 1e-6 * max(np.nanpercentile(squares.pressure(wet), 98) for _, wet in steps)
     farthest = 1e3 * max(step.fields["contact_slip"].max() for step, _ in steps)
     figure, rows = plt.subplots(len(chosen), 3, figsize=(11, 1.55 * len(chosen) + 0.6), layout="constrained", squeeze=False)
     for row, (step, wet) in zip(rows, steps):
-        x, y = 1e3 * step.points[:, 0], 1e3 * step.points[:, 1]
+        x, y = first[:, 0], first[:, 1]                          # where the rubber was: an edge may be tucked under
         split = np.concatenate((facets[:, :3], facets[:, [0, 2, 3]]))
-        pressed = row[0].tripcolor(x, y, split, 1e-6 * step.fields["contact_pressure"], cmap="OrRd", vmin=0, vmax=top, shading="gouraud")
+        pressed = row[0].tripcolor(x, y, split, 1e-6 * step.fields["contact_pressure"], cmap="OrRd", norm=PowerNorm(0.5, 0, top or 1.0), shading="gouraud")
         image = row[1].imshow(1e-6 * squares.pressure(wet).T, origin="lower", cmap=WATER, vmin=0, vmax=wettest, extent=[1e3 * end for end in squares.span])
         slipped = row[2].tripcolor(x, y, split, 1e3 * step.fields["contact_slip"], cmap="Greys", vmin=0, vmax=farthest, shading="gouraud")
-        inside = x[facets].min(), x[facets].max()
-        for axes in row:
-            axes.set(xlim=inside, ylim=(y[facets].min(), y[facets].max()), aspect="equal")
+        for axes, corners in zip(row, (first[facets], 1e3 * step.points[facets], first[facets])):
+            axes.set(xlim=(corners[..., 0].min(), corners[..., 0].max()), ylim=(y[facets].min(), y[facets].max()), aspect="equal")
             axes.grid(False)
         row[0].set(title=f"{1e3 * step.time:.2f} ms", ylabel="y [mm]")
     for column, (mark, label) in enumerate(((pressed, "contact [MPa]"), (image, "water [MPa]"), (slipped, "slipped [mm]"))):
-        figure.colorbar(mark, ax=list(rows[:, column]), location="bottom", label=label, aspect=30)
+        figure.colorbar(mark, ax=list(rows[:, column]), location="bottom", label=label, aspect=30, extend="max" if column == 1 else "neither")
     return figure
 
 
