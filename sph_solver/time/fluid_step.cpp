@@ -131,7 +131,7 @@ template<int D> void FluidStep<D>::prepare(Particles<D>& particles)
 template<int D> void FluidStep<D>::settle(Particles<D>& particles, double dt)
 {
     settled_ = true;
-    if (parts_.domain.comm().any(!lists_hold(particles, dt))) redistribute(particles);
+    if (!lists_hold(particles, dt)) redistribute(particles);
 }
 
 template<int D> void FluidStep<D>::refresh_neighbourhood(const Particles<D>& particles, double dt)
@@ -144,7 +144,10 @@ template<int D> void FluidStep<D>::refresh_neighbourhood(const Particles<D>& par
         parts_.walls.renew_touching();
 }
 
-/// Will lists and halo still be complete at the end of the step, for a bound on all motion?
+/// Will lists and halo still be complete at the end of the step, for a bound on all motion? Collective.
+///
+/// The farthest and the fastest particle may be on two ranks: each is found among all before they are added up, or
+/// the partition would decide when lists are made.
 ///
 /// Asks the particles alone: which facets a rank knows depends on the partition, when lists are made must not. (Water
 /// that a plate keeps apart moves with it, so the pairs it separates stay the same as well.)
@@ -153,7 +156,9 @@ template<int D> bool FluidStep<D>::lists_hold(const Particles<D>& particles, dou
     double fastest = 0.0;
     for (const int i : particles.owned)
         fastest = std::max(fastest, particle_velocity(particles, static_cast<std::size_t>(i)).squaredNorm());
-    return parts_.search.largest_displacement(particles) + std::sqrt(fastest) * dt <= 0.5 * parts_.search.skin();
+    const auto& comm = parts_.domain.comm();
+    const double displacement = comm.max(parts_.search.largest_displacement(particles));
+    return displacement + std::sqrt(comm.max(fastest)) * dt <= 0.5 * parts_.search.skin();
 }
 
 /// Will the particles near walls still be known at the end of the step?

@@ -14,6 +14,9 @@ foreach(load conservative averaged)
     rivage_coupled_test(rank_identity_${load} ${CMAKE_CURRENT_LIST_DIR}/rank_identity.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
                         --programs ${RIVAGE_PROGRAMS} --ranks 1 2 3 4 7 --end 0.015 --load ${load})
 endforeach()
+# A fluid between closing walls: jets on one rank, water at rest on another.
+rivage_coupled_test(rank_identity_closing_gap ${CMAKE_CURRENT_LIST_DIR}/rank_identity.py ${PROJECT_SOURCE_DIR}/cases/tyre_block/closing_gap
+                    --programs ${RIVAGE_PROGRAMS} --ranks 1 2 3 --end 0.0016)
 rivage_coupled_test(rank_agreement_tip ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
                     --programs ${RIVAGE_PROGRAMS} --ranks 1+1 2+1 3+1 --end 0.1 --tip 1e-4)
 rivage_coupled_test(rank_agreement_solid ${CMAKE_CURRENT_LIST_DIR}/rank_agreement.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
