@@ -6,13 +6,12 @@ import numpy as np
 from convergence import spacing
 from field_file import open_fields
 from figure_style import SOLID, WATER, plt
-from measure import ground, used
+from measure import ground, hull, used
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from PIL import Image                                           # matplotlib's own way to write pictures
 from run_folder import RunFolder
 
 DRY, DEEPEST = "#b8a98c", 0.0025                                 # colour of the ground; film at the scale's end [m]
-FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))     # of a brick
 
 
 class Film:
@@ -55,13 +54,6 @@ class Film:
         quads = np.stack((grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]), axis=2).reshape(-1, 4, 3)
         colours = [plt.matplotlib.colors.to_rgba(DRY) if h < 0.25 * self.dx else WATER(h / DEEPEST) for h in thick.ravel()]
         return quads, colours
-
-
-def hull(cells: np.ndarray) -> np.ndarray:
-    """Corners of the faces that belong to one brick only."""
-    faces = np.concatenate([cells[:, face] for face in FACES])
-    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
-    return faces[first[count == 1]]
 
 
 class Scene:

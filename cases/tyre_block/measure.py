@@ -11,6 +11,7 @@ from run_folder import RunFolder
 
 HEIGHT = tomllib.loads((Path(__file__).resolve().parent / "ground.toml").read_text(encoding="utf-8"))["height"]
 GROUND = compile(HEIGHT.replace("^", "**"), "ground.toml", "eval")
+FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))     # of a brick
 NAMES = {"__builtins__": {}, "cos": np.cos, "sin": np.sin, "pi": np.pi}
 
 
@@ -27,6 +28,27 @@ def block_size(run: RunFolder) -> np.ndarray:
     """Length, width and height of the block [m]."""
     mesh = used(run)["solid"]["mesh"]
     return np.subtract(mesh["high"], mesh["low"])
+
+
+def hull(cells: np.ndarray) -> np.ndarray:
+    """Corners of the faces that belong to one brick only."""
+    faces = np.concatenate([cells[:, face] for face in FACES])
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return faces[first[count == 1]]
+
+
+def rubber_below_ground(run: RunFolder, entry: dict) -> float:
+    """Deepest point of the block's faces below the ground at any output, up to the time `until` if given [dx]; 11 x 11 points a face."""
+    fields, u = FieldFile(run.file("solid/fields.h5")), np.linspace(0, 1, 11)
+    s, t = (grid.ravel() for grid in np.meshgrid(u, u))
+    shape = np.stack(((1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t), axis=-1)
+    steps = [fields.read(k) for k in range(len(fields.times))]
+    faces = hull(next(step.connectivity for step in steps if step.connectivity is not None))
+    heights = []
+    for step in (step for step in steps if step.time <= entry.get("until", np.inf)):
+        points = np.einsum("nc,fca->fna", shape, step.points[faces]).reshape(-1, 3)
+        heights.append((points[:, 2] - ground(points)).min())
+    return max(0.0, -min(heights)) / spacing(run)
 
 
 def vector(table, name: str) -> np.ndarray:

@@ -14,8 +14,8 @@ from matplotlib.colors import PowerNorm  # noqa: E402
 
 from field_file import open_fields  # noqa: E402
 from figure_style import FLUID, SOLID, WATER, draw, plt  # noqa: E402
-from film_picture import DEEPEST, Film, animation, hull  # noqa: E402
-from measure import block_size, used  # noqa: E402
+from film_picture import DEEPEST, Film, animation  # noqa: E402
+from measure import block_size, hull, used  # noqa: E402
 from run_folder import RunFolder  # noqa: E402
 
 CAPTIONS = ("The film from above; the lines are the rear and the front of its sole.",
