@@ -10,6 +10,8 @@ endfunction()
 foreach(case gate_static gate_sudden piston_column elastic_gate_small)
     rivage_coupled_test(${case} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/${case} --programs ${RIVAGE_PROGRAMS})
 endforeach()
+rivage_coupled_test(piston_column_gravity ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/piston_column/gravity
+                    --programs ${RIVAGE_PROGRAMS})
 foreach(load conservative averaged)
     rivage_coupled_test(rank_identity_${load} ${CMAKE_CURRENT_LIST_DIR}/rank_identity.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
                         --programs ${RIVAGE_PROGRAMS} --ranks 1 2 3 4 7 --end 0.015 --load ${load})
