@@ -41,7 +41,7 @@ rivage_coupled_test(moving_piston_coarse ${CMAKE_CURRENT_LIST_DIR}/run_case.py $
                     --programs ${RIVAGE_PROGRAMS} --set fluid.resolution.spacing=0.005 --set fluid.time.end=0.5)
 # Small siblings of the validation runs: coarser and shorter, held to their own distance from the fine ones.
 foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydrostatic_plate dam_break taylor_green elastic_gate/outside_solver
-        elastic_gate/lossy elastic_gate_3d tyre_block/squeeze_film)
+        elastic_gate/lossy elastic_gate_3d tyre_block/squeeze_film piston_column/fem)
     string(REPLACE / _ name ${case})
     rivage_coupled_test(small_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
