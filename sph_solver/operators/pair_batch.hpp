@@ -50,11 +50,11 @@ public:
         if (own.empty() && shared.empty()) return rows_.push_back({i, k, size_, 0, size_});
         begin_row(i);
         rows_.push_back({i, k, size_, own.size(), size_ + own.size() + shared.size()});
+        const std::size_t owned = packs();
         append(own);
         append(shared);
-        for (std::size_t pack = owned_; pack * pack_lanes < size_; ++pack) owners_[pack] = {i, i, pack_lanes};
-        owned_ = packs();
-        fill_up(i);
+        for (std::size_t pack = owned; pack < packs(); ++pack) owners_[pack] = {i, i, pack_lanes};
+        for (std::size_t pair = size_; pair < packs() * pack_lanes; ++pair) others_[pair] = i; // free lanes
     }
 
     [[nodiscard]] bool full() const { return size_ >= target; }
@@ -63,7 +63,7 @@ public:
 
     void clear()
     {
-        size_ = owned_ = 0;
+        size_ = 0;
         rows_.clear();
     }
 
@@ -89,21 +89,14 @@ private:
     void begin_row(int i)
     {
         if (size_ % pack_lanes == 0) return;
-        PackOwners& open = owners_[owned_ - 1];
+        PackOwners& open = owners_[packs() - 1];
         if (open.split < pack_lanes)
-            size_ = owned_ * pack_lanes;
+            size_ = packs() * pack_lanes;
         else
             open = {open.first, i, size_ % pack_lanes};
     }
 
-    /// Lanes that no pair has taken yet.
-    void fill_up(int i)
-    {
-        for (std::size_t pair = size_; pair < owned_ * pack_lanes; ++pair) others_[pair] = i;
-    }
-
-    std::size_t size_ = 0;  ///< pairs, with the free lanes between rows
-    std::size_t owned_ = 0; ///< packs that have owners
+    std::size_t size_ = 0; ///< pairs, with the free lanes between rows
     std::vector<int> others_;
     std::vector<PackOwners> owners_;
     std::vector<Row> rows_;

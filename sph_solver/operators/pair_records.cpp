@@ -25,11 +25,11 @@ template<int D> void PairRecords<D>::load_slope(const Particles<D>& particles, d
 
 template<int D> void PairRecords<D>::load_area(const Particles<D>& particles, std::size_t i)
 {
-    const auto upper = particles.renormaliser[i].template triangularView<Eigen::Upper>();
+    const Mat<D>& factor = particles.renormaliser[i];
     for (int a = 0; a < D; ++a)
         for (int b = a; b < D; ++b) {
             const std::size_t n = upper_triangle<D>(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-            (n < slope_areas ? slopes_[i].data[area_begin + n] : states_[i].data[7]) = upper(a, b);
+            (n < slope_areas ? slopes_[i].data[area_begin + n] : states_[i].data[7]) = factor(a, b);
         }
 }
 

@@ -20,8 +20,16 @@ struct RandomRows {
             for (int j = 0; own_sides && i % 3 == 0 && j < i && own.size() < random() % 9; ++j) own.push_back(j);
             longest = std::max(longest, own.size() + shared.size());
         }
-        for (auto& [own, shared] : rows)
-            for (auto* side : {&own, &shared}) side->reserve(side->size() + row_unit);
+    }
+
+    /// Adds row i, with something readable behind each side.
+    void add_to(PairBatch& batch, std::size_t i) const
+    {
+        auto [own, shared] = rows[i];
+        own.resize(own.size() + row_unit);
+        shared.resize(shared.size() + row_unit);
+        batch.add(static_cast<int>(i), i, std::span(own).first(rows[i].own.size()),
+                  std::span(shared).first(rows[i].shared.size()));
     }
 
     [[nodiscard]] std::size_t pairs() const
@@ -48,8 +56,7 @@ TEST(PairBatch, HoldsEachPairOfEachRowBesideItsOwner)
 {
     const RandomRows random(20, true);
     PairBatch batch(random.longest);
-    for (std::size_t i = 0; i < random.rows.size(); ++i)
-        batch.add(static_cast<int>(i), i, random.rows[i].own, random.rows[i].shared);
+    for (std::size_t i = 0; i < random.rows.size(); ++i) random.add_to(batch, i);
     ASSERT_EQ(batch.rows().size(), random.rows.size());
     ASSERT_LT(batch.packs() * pack_lanes, random.pairs() + random.rows.size() * pack_lanes);
     std::vector<bool> taken(batch.packs() * pack_lanes, false);
@@ -73,7 +80,7 @@ TEST(PairBatch, SumsAreThoseOfTheRowsInTheirOrder)
     using Sums = PairSums<3, 2>;
     const RandomRows random(20, false);
     PairBatch batch(random.longest);
-    for (std::size_t i = 0; i < random.rows.size(); ++i) batch.add(static_cast<int>(i), i, {}, random.rows[i].shared);
+    for (std::size_t i = 0; i < random.rows.size(); ++i) random.add_to(batch, i);
     Sums sums(random.rows.size(), batch.most_packs());
     const auto of_pair = [](std::size_t n, int i, int j) { return std::sin(1.0 + 3.0 * i + 5.0 * j + double(n)); };
     for (std::size_t pack = 0; pack < batch.packs(); ++pack) {
