@@ -2,8 +2,8 @@
 """The generated part of docs/verification.md: what stands between its two markers, misses first.
 
 The records behind it are kept in docs/verification_results.jsonl, one JSON object a figure: a run of `verify` replaces those of
-the cases that it ran, or with `--run` those of the runs alone; the page is made anew from all. Everything outside the markers is written by hand and left alone;
-the cause of a miss stands beside its expectation (`miss = "..."` in expect.toml).
+the cases that it ran, or with `--run` those of the runs alone; the page is made anew from all. Everything outside the markers is
+written by hand and left alone; the cause of a miss stands beside its expectation (`miss = "..."` in expect.toml).
 """
 import json
 import tomllib
@@ -104,7 +104,8 @@ def merged(old: list[dict], new: list[dict], some_runs: bool) -> list[dict]:
 
 
 def write_page(docs: Path, new: list[dict], some_runs: bool = False) -> None:
-    """Takes the new records, of whole cases or of some of their runs, into the file of results and renews the page. Throws ValueError when the markers are gone."""
+    """Takes the new records, of whole cases or of some of their runs, into the file of results and renews the page. Throws ValueError
+    when the markers are gone."""
     results, path = docs / "verification_results.jsonl", docs / "verification.md"
     old = [json.loads(text) for text in results.read_text(encoding="utf-8").splitlines()] if results.exists() else []
     records = with_causes(merged(old, new, some_runs), docs.parent / "cases")
