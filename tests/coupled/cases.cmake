@@ -10,8 +10,6 @@ endfunction()
 foreach(case gate_static gate_sudden piston_column elastic_gate_small)
     rivage_coupled_test(${case} ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/${case} --programs ${RIVAGE_PROGRAMS})
 endforeach()
-rivage_coupled_test(piston_column_gravity ${CMAKE_CURRENT_LIST_DIR}/run_case.py ${PROJECT_SOURCE_DIR}/cases/piston_column/gravity
-                    --programs ${RIVAGE_PROGRAMS})
 foreach(load conservative averaged)
     rivage_coupled_test(rank_identity_${load} ${CMAKE_CURRENT_LIST_DIR}/rank_identity.py ${PROJECT_SOURCE_DIR}/cases/elastic_gate_small
                         --programs ${RIVAGE_PROGRAMS} --ranks 1 2 3 4 7 --end 0.015 --load ${load})
@@ -41,7 +39,7 @@ rivage_coupled_test(moving_piston_coarse ${CMAKE_CURRENT_LIST_DIR}/run_case.py $
                     --programs ${RIVAGE_PROGRAMS} --set fluid.resolution.spacing=0.005 --set fluid.time.end=0.5)
 # Small siblings of the validation runs: coarser and shorter, held to their own distance from the fine ones.
 foreach(case wedge_impact stretching_patch standing_wave hydrostatic_tank hydrostatic_plate dam_break taylor_green elastic_gate/outside_solver
-        elastic_gate/lossy elastic_gate_3d tyre_block/squeeze_film piston_column/fem)
+        elastic_gate/lossy elastic_gate_3d tyre_block/squeeze_film piston_column)
     string(REPLACE / _ name ${case})
     rivage_coupled_test(small_${name} ${PROJECT_SOURCE_DIR}/cases/tools/verify.py ${case} --test --programs ${RIVAGE_PROGRAMS}
                         --out ${CMAKE_BINARY_DIR}/tests/small)
