@@ -22,7 +22,7 @@ template<std::size_t D> [[gnu::always_inline]] inline Pack along(const Pack* gra
 template<int D, class Motion, class Area> struct FluxPlaces {
     static constexpr std::size_t mass = 0, by_mass = 1, by_pressure = 1 + D, dilation = 1 + 2 * D;
     static constexpr std::size_t alike = dilation + (Motion::dilates ? 1 : 0);
-    static constexpr std::size_t opened = alike, swept = opened + (Area::renormalises ? 1 : 0);
+    static constexpr std::size_t opened = alike, swept = opened + 1;
     static constexpr std::size_t count = swept + (Motion::shifts ? 1 : 0);
 
     template<class Numbers> static FluxSums<D> read(const Numbers& numbers)
@@ -33,8 +33,8 @@ template<int D, class Motion, class Area> struct FluxPlaces {
             sums.by_mass[a] = numbers[by_mass + static_cast<std::size_t>(a)];
             sums.by_pressure[a] = numbers[by_pressure + static_cast<std::size_t>(a)];
         }
-        if constexpr (Motion::dilates) sums.dilation = numbers[dilation];
-        if constexpr (Area::renormalises) sums.dilation += numbers[opened];
+        sums.dilation = numbers[opened];
+        if constexpr (Motion::dilates) sums.dilation += numbers[dilation];
         if constexpr (Motion::shifts) sums.swept = numbers[swept];
         return sums;
     }
@@ -83,7 +83,7 @@ private:
         Pack strength;                 ///< S = 2 w_i w_j |W'| [m^(D-1)]
         FaceShift<Pack> shift;         ///< where particles are shifted
         std::array<Pack, D> direction; ///< where areas are renormalised: (K_i + K_j)/2 x_ij [m]
-        Pack opening;                  ///< there: (v_j - v_i)/2 . (direction - x_ij) [m^2/s]
+        Pack opening;                  ///< (v_j - v_i)/2 . direction, else . x_ij [m^2/s]
     };
 
     [[gnu::always_inline]] inline void reconstruct(Faces& faces, const PackOwners& owners, const int* others) const
@@ -110,25 +110,25 @@ private:
         faces.sides = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter_);
         if constexpr (Motion::shifts) faces.shift = face_shift(owners, others, pair);
         if constexpr (Area::renormalises)
-            renormalise(faces, pair, records_.area_of(state_i, slope_i), records_.area_of(state_j, slope_j));
+            faces.direction = direction(pair, records_.area_of(state_i, slope_i), records_.area_of(state_j, slope_j));
+        faces.opening = 0.5 * dot(pair.velocity_jump, Area::renormalises ? faces.direction : pair.x);
         faces.frame = face_frame<D>(pair, mean_velocity);
     }
 
-    [[gnu::always_inline]] static inline void renormalise(Faces& faces, const PairView<D, Pack>& pair,
-                                                          const SymmetricPacks<D>& area_i,
-                                                          const SymmetricPacks<D>& area_j)
+    [[gnu::always_inline]] static inline std::array<Pack, D> direction(const PairView<D, Pack>& pair,
+                                                                       const SymmetricPacks<D>& area_i,
+                                                                       const SymmetricPacks<D>& area_j)
     {
         SymmetricPacks<D> twice; // K_i + K_j
         for (std::size_t n = 0; n < twice.size(); ++n) twice[n] = area_i[n] + area_j[n];
-        std::array<Pack, D> half, beyond;
+        std::array<Pack, D> half, result;
         for (std::size_t a = 0; a < D; ++a) half[a] = 0.5 * pair.x[a];
         for (std::size_t a = 0; a < D; ++a) {
-            faces.direction[a] = twice[upper_triangle<D>(a, 0)] * half[0];
+            result[a] = twice[upper_triangle<D>(a, 0)] * half[0];
             for (std::size_t b = 1; b < D; ++b)
-                faces.direction[a] = multiply_add(twice[upper_triangle<D>(a, b)], half[b], faces.direction[a]);
-            beyond[a] = faces.direction[a] - pair.x[a];
+                result[a] = multiply_add(twice[upper_triangle<D>(a, b)], half[b], result[a]);
         }
-        faces.opening = 0.5 * dot(pair.velocity_jump, beyond);
+        return result;
     }
 
     FaceShift<Pack> face_shift(const PackOwners& owners, const int* others, const PairView<D, Pack>& pair) const
@@ -167,7 +167,7 @@ private:
             for (std::size_t a = 0; a < D; ++a) columns[Places::by_mass + a] = mass * velocity[a];
         }
         if constexpr (Motion::dilates) columns[Places::dilation] = -(faces.strength * transport.dilation);
-        if constexpr (Area::renormalises) columns[Places::opened] = per_length * faces.opening;
+        columns[Places::opened] = per_length * faces.opening;
         if constexpr (Motion::shifts) columns[Places::swept] = faces.strength * transport.swept;
         return columns;
     }

@@ -22,7 +22,6 @@ template<int D> struct PackedSums {
             for (int b = 0; b < D; ++b, ++ab_v) result.velocity(a, b) = total[ab_v];
             result.density[a] = rho0 * total[ratio + static_cast<std::size_t>(a)];
         }
-        result.fluid_divergence = result.divergence();
         result.fluid_fill = result.moment.trace() / D;
     }
 };
@@ -113,14 +112,12 @@ private:
     std::size_t size_ = 0, row_count_ = 0;
 };
 
-template<int D, class Area>
-void finish(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums, Area area)
+template<int D, class Area> void finish(Particles<D>& particles, const GradientField<D>& sums, Area area)
 {
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         const GradientSums<D>& sum = sums[k];
         particles.renormaliser[i] = area.template renormaliser<D>(sum.moment);
-        rates.volume[i] = particles.volume[i] * sum.divergence();
         particles.density_gradient[i] = sum.density;
         particles.velocity_gradient[i] = sum.velocity;
         if (sum.fluid_fill < thread_fill) {
@@ -146,18 +143,16 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
     batch.sum();
 }
 
-template<int D>
-void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
-                      const FluidModel<D>& model)
+template<int D> void finish_gradients(Particles<D>& particles, const GradientField<D>& sums, const FluidModel<D>& model)
 {
-    std::visit([&](auto area) { finish(particles, rates, sums, area); }, model.pair_area);
+    std::visit([&](auto area) { finish(particles, sums, area); }, model.pair_area);
 }
 
 template void accumulate_fluid_gradients<2>(GradientField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
                                             const RowSet&, const FluidModel<2>&);
 template void accumulate_fluid_gradients<3>(GradientField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
                                             const RowSet&, const FluidModel<3>&);
-template void finish_gradients<2>(Particles<2>&, Rates<2>&, const GradientField<2>&, const FluidModel<2>&);
-template void finish_gradients<3>(Particles<3>&, Rates<3>&, const GradientField<3>&, const FluidModel<3>&);
+template void finish_gradients<2>(Particles<2>&, const GradientField<2>&, const FluidModel<2>&);
+template void finish_gradients<3>(Particles<3>&, const GradientField<3>&, const FluidModel<3>&);
 
 } // namespace sph

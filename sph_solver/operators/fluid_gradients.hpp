@@ -24,11 +24,8 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
 ///
 ///     grad f = 0          in drops and threads of a particle's thickness (fluid_fill below 1/3),
 ///              G[f] M^-1  elsewhere where the smallest eigenvalue of M exceeds 0.2,  else G[f]
-///     dw/dt  = w tr G[v]   (raw: the conjugate of the momentum equation, which makes the energy close; with renormalised
-///                         pair areas, pass 2 adds what the fluid's pairs are off)
 template<int D>
-void finish_gradients(Particles<D>& particles, Rates<D>& rates, const GradientField<D>& sums,
-                      const FluidModel<D>& model);
+void finish_gradients(Particles<D>& particles, const GradientField<D>& sums, const FluidModel<D>& model);
 
 /// M may be inverted where its smallest eigenvalue exceeds this.
 inline constexpr double least_eigenvalue = 0.2;

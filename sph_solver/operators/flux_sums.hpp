@@ -11,14 +11,14 @@ namespace sph {
 /// because each has its own column in the energy ledger. S = 2 w_i w_j |W'|:
 ///
 ///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   swept = sum S u_shift,
-///     dilation = sum (v_j - v_i)/2 . (a_ij - S n) + S u_fluid
+///     dilation = sum (v_j - v_i)/2 . a_ij + S u_fluid,   a_ij = S n or renormalised (numerics/pair_area.hpp)
 ///
-/// u_shift and u_fluid are what the faces' own motion sweeps (numerics/face_motion.hpp); the second belongs to the compression.
+/// The dilation is the conjugate of the pressure, face by face. u_shift and u_fluid are what the faces' own motion sweeps (numerics/face_motion.hpp); the second belongs to the compression.
 template<int D> struct FluxSums {
     double mass = 0;                     ///< dm/dt [kg/s]
     Vec<D> by_mass = Vec<D>::Zero();     ///< dP/dt carried by the mass flux [N]
     Vec<D> by_pressure = Vec<D>::Zero(); ///< dP/dt of the pressure [N]
-    double dilation = 0;                 ///< dw/dt by compression, beside the raw divergence [m^D/s]
+    double dilation = 0;                 ///< dw/dt by compression [m^D/s]
     double swept = 0;                    ///< dw/dt by faces that follow shifted particles [m^D/s]
 };
 

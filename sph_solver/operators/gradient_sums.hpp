@@ -12,16 +12,12 @@ namespace sph {
 ///
 ///     moment    M    = sum w_j x_ij grad W^T           (the unit matrix where the neighbourhood is full)
 ///     density   G[f] = sum w_j (f_j - f_i) grad W      for f = rho
-///     velocity  G[v] = sum w_j (v_j - v_i) grad W^T    its trace is the raw divergence of dw/dt = w div
+///     velocity  G[v] = sum w_j (v_j - v_i) grad W^T
 template<int D> struct GradientSums {
     Mat<D> moment = Mat<D>::Zero();   ///< M, symmetric [-]
     Mat<D> velocity = Mat<D>::Zero(); ///< G[v], rows are the components of v [1/s]
     Vec<D> density = Vec<D>::Zero();  ///< G[rho] [kg/m^4]
-    double fluid_divergence = 0;      ///< tr G[v] over the fluid pairs alone [1/s]
     double fluid_fill = 0; ///< tr M/D over the fluid pairs alone: 1 deep in the water, 0 for a lone particle [-]
-
-    /// Raw divergence over all that has been summed [1/s].
-    double divergence() const { return velocity.trace(); }
 };
 
 /// Row k belongs to the k-th owned particle, as in ReachedNeighbours.

@@ -16,13 +16,15 @@ namespace sph {
 template<int D> struct MirrorStep {
     std::array<double, D> normal{};   ///< n
     std::array<double, D> velocity{}; ///< v_w + push n [m/s]
+    double push = 0;                  ///< [m/s]
     double offset = 0;                ///< x_w.n [m]
     double pull = 0;                  ///< (g - a_w).n / c0^2 [1/m]
     bool no_slip = false;
 
     MirrorStep() = default;
-    MirrorStep(const MirrorPlane<D>& plane, const Vec<D>& gravity, double c0, double push)
-        : offset(plane.point.dot(plane.normal)),
+    MirrorStep(const MirrorPlane<D>& plane, const Vec<D>& gravity, double c0, double push_now)
+        : push(push_now),
+          offset(plane.point.dot(plane.normal)),
           pull((gravity - plane.acceleration).dot(plane.normal) / (c0 * c0)),
           no_slip(plane.no_slip)
     {
@@ -59,7 +61,7 @@ template<int D> struct ImagePack {
 /// The path of a group, forwards for values and backwards for gradients.
 template<int D> class MirrorPath {
 public:
-    /// \param pushes whether walls push what comes too near: in the forces, not in the volumes' rates
+    /// \param pushes whether walls push what comes too near: in the forces, not in gradients
     MirrorPath(const ImageGroup& group, const std::vector<MirrorPlane<D>>& planes, const WallSettings<D>& settings,
                double c0, bool pushes)
         : order_(static_cast<std::size_t>(group.order)), least_height_(0.5 * settings.image_distance * settings.spacing)
@@ -91,6 +93,21 @@ public:
             mirror_velocity(image.velocity, step);
         }
         return image;
+    }
+
+    /// What pushing adds to v', the same for all images of the group. The volumes' rates go without it.
+    std::array<double, D> pushed() const
+    {
+        std::array<double, D> sum{};
+        for (std::size_t k = 0; k < order_; ++k) {
+            const MirrorStep<D>& step = steps_[k];
+            double along = 0;
+            for (std::size_t a = 0; a < D; ++a) along += sum[a] * step.normal[a];
+            for (std::size_t a = 0; a < D; ++a)
+                sum[a] =
+                    (step.no_slip ? -sum[a] : sum[a] - 2 * along * step.normal[a]) + 2 * step.push * step.normal[a];
+        }
+        return sum;
     }
 
     /// What the gradients of the images predict along x: grad q'.x and grad v' x.

@@ -16,11 +16,16 @@ public:
         : images_(images), records_(records), model_(model)
     {}
 
-    /// Sum of S p_e n over the group: the force of particle i on its walls.
-    template<class AnyLimiter>
-    Vec<D> force(const ImageGroup& group, int i, const MirrorPath<D>& path, AnyLimiter limiter)
+    /// What crosses the faces of a group.
+    struct Sums {
+        Vec<D> force;    ///< sum of S p_e n, of particle i on its walls
+        double dilation; ///< sum of S n.(v' - v_i)/2
+    };
+
+    template<class AnyLimiter> Sums sum(const ImageGroup& group, int i, const MirrorPath<D>& path, AnyLimiter limiter)
     {
-        PartSums<D> parts{};
+        PartSums<D + 1> parts{};
+        pushed_ = path.pushed();
         for (std::size_t part = 0; part < pack_parts; ++part) {
             for (std::size_t begin = group.begin; begin < group.end; begin += batch * row_unit) {
                 const std::size_t count = std::min(batch, (group.end - begin) / row_unit);
@@ -33,19 +38,20 @@ public:
             }
         }
         const auto sum = sum_lanes_of(parts);
-        Vec<D> total;
-        for (int a = 0; a < D; ++a) total[a] = sum[static_cast<std::size_t>(a)];
+        Sums total{Vec<D>::Zero(), sum[D]};
+        for (int a = 0; a < D; ++a) total.force[a] = sum[static_cast<std::size_t>(a)];
         return total;
     }
 
 private:
     static constexpr std::size_t batch = 8; // packs
 
-    void add(PackVector<D>& sum, std::size_t count) const
+    void add(std::array<Pack, D + 1>& sum, std::size_t count) const
     {
         for (std::size_t n = 0; n < count; ++n) {
             const Pack pressure = area_[n] * model_.eos.pressure_at_ratio(stars_[n]);
             for (std::size_t a = 0; a < D; ++a) sum[a] = multiply_add(pressure, x_[n][a], sum[a]);
+            sum[D] = multiply_add(area_[n], opening_[n], sum[D]);
         }
     }
 
@@ -84,14 +90,17 @@ private:
                    ((2.0 * state_i[2 * D + 1]) * model_.kernel.slope(r));
         faces_[n] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
         x_[n] = pair.x;
+        opening_[n] = 0.5 * dot(pair.velocity_jump, pair.x);
+        for (std::size_t a = 0; a < D; ++a) opening_[n] -= (0.5 * pushed_[a]) * pair.x[a];
     }
 
     const WallImages<D>& images_;
     const PairRecords<D>& records_;
     const FluidModel<D> model_;
+    std::array<double, D> pushed_{};
     std::array<FaceStates<Pack>, batch> faces_;
     std::array<PackVector<D>, batch> x_;
-    std::array<Pack, batch> area_, stars_; ///< 2 w_i w' |W'|/r [m^(D-2)]; q*
+    std::array<Pack, batch> area_, opening_, stars_; ///< 2 w_i w' |W'|/r [m^(D-2)]; (v' - v_i)/2 . x; q*
 };
 
 template<int D, class AnyLimiter>
@@ -102,9 +111,10 @@ void sum_forces(WallForces<D>& forces, const WallImages<D>& images, const Walls<
     ImageFaces<D> faces(images, records, model);
     for (const ImageGroup& group : images.groups()) {
         const MirrorPath<D> path(group, planes, walls.settings(), model.eos.c0, true);
-        const Vec<D> force = faces.force(group, contacts[group.contact].particle, path, limiter);
-        forces.on_particle[group.contact] -= force;
-        share_out(force, group, planes, forces.on_wall);
+        const auto sum = faces.sum(group, contacts[group.contact].particle, path, limiter);
+        forces.on_particle[group.contact] -= sum.force;
+        forces.dilation[group.contact] += sum.dilation;
+        share_out(sum.force, group, planes, forces.on_wall);
     }
 }
 
@@ -115,6 +125,7 @@ void find_wall_forces(WallForces<D>& forces, const WallImages<D>& images, const 
                       const PairRecords<D>& records, const FluidModel<D>& model)
 {
     forces.on_particle.assign(walls.contacts().contacts.size(), Vec<D>::Zero());
+    forces.dilation.assign(walls.contacts().contacts.size(), 0.0);
     forces.on_wall.assign(walls.contacts().planes.size(), Vec<D>::Zero());
     std::visit([&](auto limiter) { sum_forces(forces, images, walls, records, model, limiter); }, model.limiter);
 }
@@ -122,13 +133,16 @@ void find_wall_forces(WallForces<D>& forces, const WallImages<D>& images, const 
 template<int D> void add_wall_forces(Rates<D>& rates, const WallForces<D>& forces, const Walls<D>& walls)
 {
     const auto& contacts = walls.contacts().contacts;
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-        rates.momentum[static_cast<std::size_t>(contacts[c].particle)] += forces.on_particle[c];
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const auto i = static_cast<std::size_t>(contacts[c].particle);
+        rates.momentum[i] += forces.on_particle[c];
+        rates.volume[i] += forces.dilation[c];
+    }
 }
 
 template<int D>
 void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces, const Walls<D>& walls,
-                    const Particles<D>& particles, const GradientField<D>& sums)
+                    const Particles<D>& particles)
 {
     const auto& planes = walls.contacts().planes;
     for (std::size_t c = 0; c < walls.contacts().contacts.size(); ++c) {
@@ -144,9 +158,8 @@ void add_wall_power(WallPower& power, double weight, const WallForces<D>& forces
             for (int a = 0; a < D; ++a) force[static_cast<std::size_t>(a)].add(-weight * forces.on_wall[p][a]);
             work += part;
         }
-        const GradientSums<D>& sum = sums[contact.row];
-        const double volume_rate = particles.volume[i] * (sum.divergence() - sum.fluid_divergence);
-        const double gain = particles.velocity[i].dot(forces.on_particle[c]) - particles.pressure[i] * volume_rate;
+        const double gain =
+            particles.velocity[i].dot(forces.on_particle[c]) - particles.pressure[i] * forces.dilation[c];
         power.dissipation.add(weight * (work - gain));
     }
 }
@@ -157,9 +170,7 @@ template void find_wall_forces<3>(WallForces<3>&, const WallImages<3>&, const Wa
                                   const FluidModel<3>&);
 template void add_wall_forces<2>(Rates<2>&, const WallForces<2>&, const Walls<2>&);
 template void add_wall_forces<3>(Rates<3>&, const WallForces<3>&, const Walls<3>&);
-template void add_wall_power<2>(WallPower&, double, const WallForces<2>&, const Walls<2>&, const Particles<2>&,
-                                const GradientField<2>&);
-template void add_wall_power<3>(WallPower&, double, const WallForces<3>&, const Walls<3>&, const Particles<3>&,
-                                const GradientField<3>&);
+template void add_wall_power<2>(WallPower&, double, const WallForces<2>&, const Walls<2>&, const Particles<2>&);
+template void add_wall_power<3>(WallPower&, double, const WallForces<3>&, const Walls<3>&, const Particles<3>&);
 
 } // namespace sph

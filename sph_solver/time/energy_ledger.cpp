@@ -40,17 +40,16 @@ void EnergyLedger<D>::observe(const Particles<D>& particles, const Walls<D>& wal
         const FluxSums<D>& flux = evaluation.fluxes[k];
         const Vec<D>& v = particles.velocity[i];
         const double p = particles.pressure[i];
-        const double volume_rate = particles.volume[i] * evaluation.gradient_sums[k].fluid_divergence + flux.dilation;
         const double carried = model_.eos.specific_enthalpy(particles.density[i]) - 0.5 * v.squaredNorm() -
                                model_.gravity.dot(particles.position[i]);
-        riemann_.add(share * (p * volume_rate - v.dot(flux.by_pressure)));
+        riemann_.add(share * (p * flux.dilation - v.dot(flux.by_pressure)));
         mass_flux_.add(share * (p * flux.swept - v.dot(flux.by_mass) - carried * flux.mass +
                                 particles.mass[i] * model_.gravity.dot(particles.shift[i])));
     }
     for (std::size_t k = 0; k < evaluation.viscous.size(); ++k)
         viscous_.add(-share *
                      particles.velocity[static_cast<std::size_t>(particles.owned[k])].dot(evaluation.viscous[k]));
-    add_wall_power(walls_, share, evaluation.wall_forces, walls, particles, evaluation.gradient_sums);
+    add_wall_power(walls_, share, evaluation.wall_forces, walls, particles);
 }
 
 template<int D>

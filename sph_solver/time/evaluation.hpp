@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sph_solver/operators/flux_sums.hpp"
-#include "sph_solver/operators/gradient_sums.hpp"
 #include "sph_solver/operators/wall_flux.hpp"
 #include "sph_solver/state/particles.hpp"
 #include "sph_solver/walls/walls.hpp"
@@ -12,10 +11,9 @@ namespace sph {
 /// All that one evaluation of the rates leaves behind.
 template<int D> struct Evaluation {
     Rates<D> rates;
-    GradientField<D> gradient_sums; ///< complete, wall images included
-    FluxField<D> fluxes;            ///< fluid pairs
-    std::vector<Vec<D>> viscous;    ///< force of the further terms on each owned particle [N]; empty: none
-    WallForces<D> wall_forces;      ///< particles near walls, and their walls
+    FluxField<D> fluxes;         ///< fluid pairs
+    std::vector<Vec<D>> viscous; ///< force of the further terms on each owned particle [N]; empty: none
+    WallForces<D> wall_forces;   ///< particles near walls, and their walls
 };
 
 /// Somebody who keeps account of what happens within a step: the energy ledger, the loads on the solid.

@@ -22,7 +22,7 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
     update_.start(particles);
     for (const Stage& stage : runge_kutta_.stages()) {
         parts_.walls.move(stage.time * dt); // X + V s + A s^2 / 2
-        evaluate(particles);
+        evaluate(particles, stage.slopes);
         if (stage.weight != 0.0)
             for (auto* observer : observers_) observer->observe(particles, parts_.walls, evaluation_, stage.weight, dt);
         const auto part = measure("stage", Work::particle);
@@ -34,24 +34,45 @@ template<int D> void FluidStep<D>::advance(Particles<D>& particles, double dt)
     settled_ = false;
 }
 
-template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles)
+template<int D> const Evaluation<D>& FluidStep<D>::evaluate(Particles<D>& particles, Slopes slopes)
 {
     const RowSet inner(particles.owned, split_.inner), border(particles.owned, split_.border);
     find_planes(particles);
     in_reach_.start(particles, parts_.search.list());
     evaluation_.rates.reset(particles.size());
     evaluation_.viscous.assign(terms_.empty() ? 0 : particles.owned.size(), Vec<D>::Zero());
-    first_pass(particles, particles.owned, inner); // while the state of the halo copies is on its way
-    complete_state(particles);
-    first_pass(particles, split_.halo, border);
-    first_pass_at_walls(particles);
-    parts_.domain.start_gradients(particles);
-    second_pass(particles, particles.owned, inner); // while their gradients are
-    complete_gradients(particles);
-    second_pass(particles, split_.halo, border);
+    meet(particles, particles.owned, inner);
+    if (slopes == Slopes::made)
+        find_rates_with_new_slopes(particles, inner, border);
+    else
+        find_rates_with_kept_slopes(particles, inner, border);
     second_pass_at_walls(particles);
     ++evaluations_;
     return evaluation_;
+}
+
+template<int D>
+void FluidStep<D>::find_rates_with_new_slopes(Particles<D>& particles, const RowSet& inner, const RowSet& border)
+{
+    first_pass(inner); // while the state of the halo copies is on its way
+    complete_state(particles);
+    meet(particles, split_.halo, border);
+    first_pass(border);
+    first_pass_at_walls(particles);
+    parts_.domain.start_gradients(particles);
+    second_pass(inner); // while their gradients are
+    complete_gradients(particles);
+    second_pass(border);
+}
+
+template<int D>
+void FluidStep<D>::find_rates_with_kept_slopes(Particles<D>& particles, const RowSet& inner, const RowSet& border)
+{
+    second_pass(inner); // while the state of the halo copies is on its way
+    complete_state(particles);
+    meet(particles, split_.halo, border);
+    images_.find(parts_.walls, records_, particles, in_reach_.reached());
+    second_pass(border);
 }
 
 template<int D> void FluidStep<D>::find_planes(const Particles<D>& particles)
@@ -60,18 +81,21 @@ template<int D> void FluidStep<D>::find_planes(const Particles<D>& particles)
     parts_.walls.find_contacts(particles);
 }
 
-/// Sums over the fluid pairs of some rows, when the particles `which` have got their state.
+/// Who is near whom among some rows, when the particles `which` have got their state.
 template<int D>
-void FluidStep<D>::first_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
+void FluidStep<D>::meet(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
 {
-    {
-        const auto part = measure("neighbours in reach", Work::pair);
-        in_reach_.take_positions(particles, which);
-        in_reach_.select(parts_.search.list(), rows);
-    }
-    const auto part = measure("pass 1: gradients", Work::pair);
+    const auto part = measure("neighbours in reach", Work::pair);
+    in_reach_.take_positions(particles, which);
+    in_reach_.select(parts_.search.list(), rows);
     records_.load_states(particles, model_.eos, which);
-    accumulate_fluid_gradients(evaluation_.gradient_sums, records_, in_reach_.reached(), rows, model_);
+}
+
+/// Sums over the fluid pairs of some rows.
+template<int D> void FluidStep<D>::first_pass(const RowSet& rows)
+{
+    const auto part = measure("pass 1: gradients", Work::pair);
+    accumulate_fluid_gradients(gradient_sums_, records_, in_reach_.reached(), rows, model_);
 }
 
 template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
@@ -79,19 +103,18 @@ template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
     {
         const auto part = measure("pass 1: walls", Work::image);
         images_.find(parts_.walls, records_, particles, in_reach_.reached());
-        accumulate_wall_gradients(evaluation_.gradient_sums, images_, parts_.walls, records_, model_);
+        accumulate_wall_gradients(gradient_sums_, images_, parts_.walls, records_, model_);
     }
     const auto part = measure("pass 1: finish", Work::particle);
-    finish_gradients(particles, evaluation_.rates, evaluation_.gradient_sums, model_);
-    find_shifts(particles, records_, in_reach_.reached(), evaluation_.gradient_sums, parts_.walls, model_);
+    finish_gradients(particles, gradient_sums_, model_);
+    find_shifts(particles, records_, in_reach_.reached(), gradient_sums_, parts_.walls, model_);
+    records_.load_slopes(particles, model_, particles.owned);
 }
 
-/// Fluxes through the faces of some rows, when the particles `which` have got their gradients.
-template<int D>
-void FluidStep<D>::second_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows)
+/// Fluxes through the faces of some rows, when all their particles have got their slopes.
+template<int D> void FluidStep<D>::second_pass(const RowSet& rows)
 {
     const auto part = measure("pass 2: fluxes", Work::pair);
-    records_.load_slopes(particles, model_, which);
     add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_);
     for (const auto& term : terms_)
         term->add(evaluation_.rates, evaluation_.viscous, records_, in_reach_.reached(), rows);
@@ -118,6 +141,7 @@ template<int D> void FluidStep<D>::complete_gradients(Particles<D>& particles)
 {
     const auto scope = parts_.timers.scope("halo: wait for gradients");
     parts_.domain.finish_gradients(particles);
+    records_.load_slopes(particles, model_, split_.halo);
 }
 
 template<int D> void FluidStep<D>::prepare(Particles<D>& particles)

@@ -4,6 +4,7 @@
 #include "coupler_lib/base/timer.hpp"
 #include "sph_solver/neighbours/neighbour_search.hpp"
 #include "sph_solver/numerics/fluid_model.hpp"
+#include "sph_solver/operators/gradient_sums.hpp"
 #include "sph_solver/operators/momentum_term.hpp"
 #include "sph_solver/operators/neighbours_in_reach.hpp"
 #include "sph_solver/operators/pair_records.hpp"
@@ -59,8 +60,9 @@ public:
     /// From t to t + dt. The moving walls must have been given their motion at t (Walls::set_moving). Collective.
     void advance(Particles<D>& particles, double dt);
 
-    /// Rates of the present state with the walls where they are: pass 1, halo exchange, pass 2. Collective.
-    const Evaluation<D>& evaluate(Particles<D>& particles);
+    /// Rates of the present state with the walls where they are: pass 1 (unless slopes are kept), halo exchange, pass 2.
+    /// Collective.
+    const Evaluation<D>& evaluate(Particles<D>& particles, Slopes slopes = Slopes::made);
 
     /// How often lists and halo were made anew.
     long rebuilds() const { return rebuilds_; }
@@ -74,9 +76,12 @@ private:
 
     Measured measure(const char* name, Work kind) { return {parts_.timers.scope(name), meter_.measure(kind)}; }
     void find_planes(const Particles<D>& particles);
-    void first_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
+    void find_rates_with_new_slopes(Particles<D>& particles, const RowSet& inner, const RowSet& border);
+    void find_rates_with_kept_slopes(Particles<D>& particles, const RowSet& inner, const RowSet& border);
+    void meet(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
+    void first_pass(const RowSet& rows);
     void first_pass_at_walls(Particles<D>& particles);
-    void second_pass(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
+    void second_pass(const RowSet& rows);
     void second_pass_at_walls(const Particles<D>& particles);
     void complete_state(Particles<D>& particles);
     void complete_gradients(Particles<D>& particles);
@@ -97,6 +102,7 @@ private:
     PairRecords<D> records_;
     NeighboursInReach<D> in_reach_;
     WallImages<D> images_;
+    GradientField<D> gradient_sums_; ///< complete between the passes, wall images included
     Evaluation<D> evaluation_;
     StageUpdate<D> update_;
     RowSplit split_;

@@ -47,7 +47,7 @@ template<int D> struct Evaluation {
     void gradients()
     {
         accumulate_fluid_gradients(sums, records, *reached, particles.owned, model);
-        finish_gradients(particles, rates, sums, model);
+        finish_gradients(particles, sums, model);
     }
 
     void fluxes()

@@ -31,7 +31,7 @@ void scalar_evaluation(Particles<D>& particles, Rates<D>& rates, GradientField<D
         }
     });
     for (auto& sum : sums) sum.fluid_fill = sum.moment.trace() / D;
-    finish_gradients(particles, rates, sums, model);
+    finish_gradients(particles, sums, model);
     const auto state = [&](std::size_t k) {
         return PrimitiveState<D>{particles.density[k], particles.velocity[k], particles.density_gradient[k],
                                  particles.velocity_gradient[k]};
@@ -40,6 +40,9 @@ void scalar_evaluation(Particles<D>& particles, Rates<D>& rates, GradientField<D
         const double r = x.norm(), area = 2 * particles.volume[i] * particles.volume[j] * model.kernel.slope(r);
         const auto flux = pair_flux<D>(state(i), state(j), x, model.eos, VanAlbada{}, false);
         const Vec<D> momentum = area * (flux.momentum_flux + flux.pressure / r * x);
+        const double opening = 0.5 * area / r * (particles.velocity[j] - particles.velocity[i]).dot(x);
+        rates.volume[i] += opening;
+        rates.volume[j] += opening;
         rates.mass[i] -= area * flux.mass_flux;
         rates.mass[j] += area * flux.mass_flux;
         rates.momentum[i] -= momentum;

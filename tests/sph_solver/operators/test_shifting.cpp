@@ -24,7 +24,7 @@ template<int D> struct ShiftedFlow {
         neighbours = sample::reached_neighbours(particles, model.kernel.support());
         accumulate_fluid_gradients(sums, records, neighbours, particles.owned, model);
         rates.reset(particles.size());
-        finish_gradients(particles, rates, sums, model);
+        finish_gradients(particles, sums, model);
         find_shifts(particles, records, neighbours, sums, walls, model);
     }
 

@@ -52,13 +52,15 @@ double observed_order(const std::string& name)
 TEST(RungeKutta, HasItsOrder)
 {
     EXPECT_NEAR(observed_order("rk2"), 2.0, 0.15);
+    EXPECT_NEAR(observed_order("hybrid2"), 2.0, 0.15);
+    EXPECT_NEAR(observed_order("hybrid3"), 2.0, 0.15);
     EXPECT_NEAR(observed_order("rk3"), 3.0, 0.15);
     EXPECT_NEAR(observed_order("rk4"), 4.0, 0.15);
 }
 
 TEST(RungeKutta, WeightsIntegrateConstantAndLinearRates)
 {
-    for (const char* name : {"rk2", "rk3", "rk4"}) {
+    for (const char* name : {"rk2", "rk3", "rk4", "hybrid2", "hybrid3"}) {
         const RungeKutta method(name);
         double sum = 0, moment = 0;
         for (const Stage& stage : method.stages()) {
@@ -69,6 +71,12 @@ TEST(RungeKutta, WeightsIntegrateConstantAndLinearRates)
         EXPECT_NEAR(moment, 0.5, 1e-15) << name;
         EXPECT_EQ(method.stages().back().next, 0.0) << name;
     }
+}
+
+TEST(RungeKutta, FirstStageMakesSlopes)
+{
+    for (const char* name : {"rk2", "rk3", "rk4", "hybrid2", "hybrid3"})
+        EXPECT_EQ(RungeKutta(name).stages().front().slopes, Slopes::made) << name;
 }
 
 TEST(RungeKutta, UnknownNameIsAnInputError)

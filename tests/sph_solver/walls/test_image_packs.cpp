@@ -104,8 +104,12 @@ template<int D> void expect_same_as_plain(Walls<D>& walls, const Particles<D>& p
         EXPECT_LT((sums[k].velocity - plain.sums[k].velocity).norm(), 1e-11);
         EXPECT_LT((sums[k].density - plain.sums[k].density).norm(), 1e-9);
     }
-    for (std::size_t c = 0; c < plain.force.size(); ++c)
+    for (std::size_t c = 0; c < plain.force.size(); ++c) {
+        const WallContact& contact = walls.contacts().contacts[c];
+        const double volume = particles.volume[static_cast<std::size_t>(contact.particle)];
         EXPECT_LT((forces.on_particle[c] - plain.force[c]).norm(), 1e-11 * model.eos.stiffness()) << "contact " << c;
+        EXPECT_NEAR(forces.dilation[c], volume * plain.sums[contact.row].velocity.trace(), 1e-11) << "contact " << c;
+    }
 }
 
 template<int D> WallSettings<D> heavy_settings()
