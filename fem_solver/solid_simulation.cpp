@@ -21,11 +21,16 @@ NewtonSettings newton_settings(const NewtonConfig& config)
     return {config.tolerance, config.max_iterations, config.contraction};
 }
 
+Predictor predictor(const std::string& name)
+{
+    if (name == "still") return Predictor::still;
+    return name == "continued" ? Predictor::continued : Predictor::constant_acceleration;
+}
+
 StepSettings step_settings(const SolidConfig& config)
 {
-    const bool still = config.newton.predictor == "still";
-    return {newton_settings(config.newton), still ? Predictor::still : Predictor::constant_acceleration,
-            config.time.sub_steps, solver_settings(config.linear_solver)};
+    return {newton_settings(config.newton), predictor(config.newton.predictor), config.time.sub_steps,
+            solver_settings(config.linear_solver)};
 }
 
 StaticSettings static_settings(const SolidConfig& config, LoadTime time)

@@ -64,7 +64,10 @@ base::Table<NewtonConfig> newton_table()
               .max = 1,
               .positive = true})
         .key("predictor", &NewtonConfig::predictor,
-             {.doc = "dynamic: first iterate of a step", .choices = {"constant_acceleration", "still"}});
+             {.doc = "dynamic: first iterate of a step: displacements change as over the step before, or as the "
+                     "acceleration at "
+                     "its start has it, or not at all",
+              .choices = {"continued", "constant_acceleration", "still"}});
 }
 
 base::Table<LinearSolverConfig> linear_solver_table()

@@ -74,6 +74,7 @@ void SolidStep::advance_part(Motion& motion, double dt, const std::function<void
         if (attempt(motion, length)) {
             model_.accept(motion, time_ + length);
             ledger_.account(motion_n, motion, forces_n_, forces_np1_, length);
+            pace_ = (motion.displacement - motion_n.displacement) / length;
             std::swap(forces_n_, forces_np1_);
             time_ += length;
             ++sub_steps_;
@@ -134,10 +135,12 @@ bool SolidStep::solve(Motion& motion, double dt)
 
 void SolidStep::predict(Motion& motion, Predictor predictor, double dt)
 {
-    if (predictor == Predictor::still)
-        hht_.predict_still(motion, dt);
-    else
+    if (predictor == Predictor::constant_acceleration || (predictor == Predictor::continued && pace_.size() == 0)) {
         hht_.predict(motion, dt);
+    } else {
+        hht_.predict_still(motion, dt);
+        if (predictor == Predictor::continued) hht_.correct(motion, pace_, dt, dt);
+    }
     supports_.set_motion(time_ + dt, motion);
 }
 

@@ -10,8 +10,12 @@
 
 namespace fem {
 
-/// Where Newton's iteration of a step starts: with the acceleration or with the displacement of the step's start.
-enum class Predictor { constant_acceleration, still };
+/// Where Newton's iteration of a step starts.
+enum class Predictor {
+    continued,             ///< the displacement changes as fast as on average over the step before
+    constant_acceleration, ///< with the acceleration of the step's start
+    still                  ///< with the displacement of the step's start
+};
 
 /// Choices of the step.
 struct StepSettings {
@@ -83,6 +87,7 @@ private:
     Failure failure_; // the last one
     Reporter report_ = [](const std::string&) {};
     double factorised_dt_ = 0;
+    Eigen::VectorXd pace_; ///< (u_1 - u_0)/dt of the last HHT step [m/s]; empty before the first
     double time_ = 0;
     long steps_ = 0, sub_steps_ = 0, iterations_ = 0;
 };
