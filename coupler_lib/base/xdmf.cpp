@@ -38,25 +38,27 @@ XdmfWriter::XdmfWriter(const std::string& path_without_extension, const Communic
 {
 }
 
-void XdmfWriter::write(double time, const XdmfTopology& topology, const std::vector<double>& points,
-                       const std::vector<XdmfField>& fields)
+void XdmfWriter::write(double time, const XdmfTopology& topology, std::vector<double> points, const std::vector<XdmfField>& fields)
 {
     const std::string group = fmt::format("/step_{:06d}", grids_.size());
     file_.create_group(group);
     file_.attribute(group, "time", time);
-    file_.write_rows(group + "/points", points.data(), points.size() / 3, 3);
+    const std::size_t my_points = points.size() / 3;
+    file_.write_rows(group + "/points", points.data(), my_points, 3);
+    points = {};
     const auto nodes = static_cast<std::size_t>(topology.nodes_per_cell);
     if (topology.kind != "polyvertex")
         file_.write_rows(group + "/connectivity", topology.connectivity.data(), topology.connectivity.size() / nodes,
                          topology.nodes_per_cell);
     for (const auto& field : fields) {
         const std::string path = group + "/" + field.name;
-        file_.write_rows(path, field.data->data(), field.data->size() / static_cast<std::size_t>(field.columns), field.columns);
+        const std::vector<double> values = field.values();
+        file_.write_rows(path, values.data(), values.size() / static_cast<std::size_t>(field.columns), field.columns);
         file_.attribute(path, "unit", field.unit);
         file_.attribute(path, "description", field.description);
     }
     file_.flush();
-    const auto all_points = comm_.sum(static_cast<std::int64_t>(points.size() / 3));
+    const auto all_points = comm_.sum(static_cast<std::int64_t>(my_points));
     const auto all_cells = comm_.sum(static_cast<std::int64_t>(topology.connectivity.size() / nodes));
     grids_.push_back(grid_text(time, group, topology, all_points, all_cells, fields));
     if (comm_.is_root()) write_index();

@@ -2,6 +2,7 @@
 #pragma once
 #include "coupler_lib/base/hdf5_file.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct XdmfTopology {
 struct XdmfField {
     std::string name, unit, description;
     int columns = 1;
-    const std::vector<double>* data = nullptr;
+    std::function<std::vector<double>()> values;  ///< asked for when the field is written, so that one is in memory at a time
     std::string centre = "Node";  ///< "Node" or "Cell"
 };
 
@@ -32,9 +33,8 @@ class XdmfWriter {
 public:
     XdmfWriter(const std::string& path_without_extension, const Communicator& comm);
 
-    /// Collective. `points` holds three numbers for each point of this rank [m].
-    void write(double time, const XdmfTopology& topology, const std::vector<double>& points,
-               const std::vector<XdmfField>& fields);
+    /// Collective. `points` holds three numbers for each point of this rank [m]; given up before the fields are made.
+    void write(double time, const XdmfTopology& topology, std::vector<double> points, const std::vector<XdmfField>& fields);
 
 private:
     std::string grid_text(double time, const std::string& group, const XdmfTopology& topology, std::int64_t points,

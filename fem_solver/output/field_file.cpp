@@ -41,17 +41,17 @@ void FieldFile::write(double time, const Motion& motion, const std::vector<doubl
                       const ContactFields& contact)
 {
     const Eigen::Map<const Eigen::VectorXd> reference(mesh_->coordinates.data(), std::ssize(mesh_->coordinates));
-    const std::vector<double> points = in_space(reference + motion.displacement);
-    const std::vector<double> displacement = in_space(motion.displacement);
-    const std::vector<double> velocity = in_space(motion.velocity);
-    std::vector<base::XdmfField> fields{{"displacement", "m", "from the reference position", 3, &displacement, "Node"},
-                                        {"velocity", "m/s", "of the nodes", 3, &velocity, "Node"},
-                                        {"stress", "Pa", "Cauchy stress, mean over the element", 9, &stress, "Cell"}};
+    const auto spatial = [this](const Eigen::VectorXd& field) { return [this, &field] { return in_space(field); }; };
+    const auto copy_of = [](const std::vector<double>& values) { return [&values] { return values; }; };
+    std::vector<base::XdmfField> fields{
+        {"displacement", "m", "from the reference position", 3, spatial(motion.displacement), "Node"},
+        {"velocity", "m/s", "of the nodes", 3, spatial(motion.velocity), "Node"},
+        {"stress", "Pa", "Cauchy stress, mean over the element", 9, copy_of(stress), "Cell"}};
     if (!contact.pressure.empty()) {
-        fields.push_back({"contact_pressure", "Pa", "per present area", 1, &contact.pressure, "Node"});
-        fields.push_back({"contact_slip", "m", "length of the way slipped in contact", 1, &contact.slip, "Node"});
+        fields.push_back({"contact_pressure", "Pa", "per present area", 1, copy_of(contact.pressure), "Node"});
+        fields.push_back({"contact_slip", "m", "length of the way slipped in contact", 1, copy_of(contact.slip), "Node"});
     }
-    file_.write(time, topology_, points, fields);
+    file_.write(time, topology_, in_space(reference + motion.displacement), fields);
 }
 
 } // namespace fem

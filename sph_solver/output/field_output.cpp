@@ -2,7 +2,6 @@
 #include "sph_solver/output/field_output.hpp"
 
 #include <array>
-#include <deque>
 
 namespace sph {
 namespace {
@@ -28,9 +27,14 @@ template<int Rows> void append(std::vector<double>& numbers, const Eigen::Matrix
 
 template<int D> void append(std::vector<double>&, const Eigen::Matrix<double, D, D>&) {}
 
+/// Numbers that a value of a field takes.
+template<class T> constexpr int numbers_each = 1;
+template<int Rows> constexpr int numbers_each<Eigen::Matrix<double, Rows, 1>> = 3;
+
 template<class T> std::vector<double> owned_values(const std::vector<T>& column, const std::vector<int>& owned)
 {
     std::vector<double> numbers;
+    numbers.reserve(owned.size() * numbers_each<T>);
     for (const int i : owned) append(numbers, column[static_cast<std::size_t>(i)]);
     return numbers;
 }
@@ -44,17 +48,14 @@ FieldOutput<D>::FieldOutput(const std::string& folder, const base::Communicator&
 
 template<int D> void FieldOutput<D>::write(double time, const Particles<D>& particles)
 {
-    std::deque<std::vector<double>> values; // keeps its elements in place while it grows
     std::vector<base::XdmfField> fields;
     for_each_field(particles, [&]<class T>(const FieldInfo& info, const std::vector<T>& column) {
         if (!is_written(info.name)) return;
-        values.push_back(owned_values(column, particles.owned));
-        const int columns = std::is_same_v<T, Vec<D>> ? 3 : 1;
-        fields.push_back({std::string(info.name), std::string(info.unit_in(D)), std::string(info.description), columns,
-                          &values.back()});
+        fields.push_back({std::string(info.name), std::string(info.unit_in(D)), std::string(info.description),
+                          numbers_each<T>, [&] { return owned_values(column, particles.owned); }});
     });
-    values.emplace_back(particles.owned.size(), static_cast<double>(comm_.rank()));
-    fields.push_back({"rank", "-", "rank that owns the particle", 1, &values.back()});
+    const auto ranks = [&] { return std::vector<double>(particles.owned.size(), static_cast<double>(comm_.rank())); };
+    fields.push_back({"rank", "-", "rank that owns the particle", 1, ranks});
     writer_.write(time, {}, owned_values(particles.position, particles.owned), fields);
 }
 

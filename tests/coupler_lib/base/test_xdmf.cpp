@@ -36,7 +36,7 @@ TEST(Xdmf, GathersTheRowsOfAllRanks)
         for (int k = 0; k < rank; ++k) expected.push_back(100 * rank + k);
     {
         base::XdmfWriter writer(path, world);
-        const std::vector<base::XdmfField> fields{{"pressure", "Pa", "pressure", 1, &pressure, "Node"}};
+        const std::vector<base::XdmfField> fields{{"pressure", "Pa", "pressure", 1, [&] { return pressure; }, "Node"}};
         writer.write(0.0, {}, points, fields);
         writer.write(0.5, {}, points, fields);
     }
