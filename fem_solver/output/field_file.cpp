@@ -49,7 +49,8 @@ void FieldFile::write(double time, const Motion& motion, const std::vector<doubl
         {"stress", "Pa", "Cauchy stress, mean over the element", 9, copy_of(stress), "Cell"}};
     if (!contact.pressure.empty()) {
         fields.push_back({"contact_pressure", "Pa", "per present area", 1, copy_of(contact.pressure), "Node"});
-        fields.push_back({"contact_slip", "m", "length of the way slipped in contact", 1, copy_of(contact.slip), "Node"});
+        fields.push_back(
+            {"contact_slip", "m", "length of the way slipped in contact", 1, copy_of(contact.slip), "Node"});
     }
     file_.write(time, topology_, in_space(reference + motion.displacement), fields);
 }

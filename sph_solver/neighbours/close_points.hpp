@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -17,7 +18,7 @@
 namespace sph {
 
 /// What a selection may write beyond the last index that it keeps.
-inline constexpr std::size_t selection_overhang = row_unit;
+inline constexpr std::size_t selection_overhang = 2 * row_unit;
 
 using PackIndices = int __attribute__((vector_size(pack_lanes * sizeof(int))));
 
@@ -30,46 +31,96 @@ inline constexpr auto left_packed = [] {
     return table;
 }();
 
-/// Where a selection stands.
-struct Selected {
-    int* end;       ///< of the indices it has kept
-    int before = 0; ///< how many of these are less than i
-};
+/// The lanes whose number is below the limit, one bit each.
+[[gnu::always_inline]] inline unsigned lanes_below(Pack number, double limit)
+{
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask(number, _mm512_set1_pd(limit), _CMP_LT_OQ);
+#elif defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(number, _mm256_set1_pd(limit), _CMP_LT_OQ)));
+#else
+    unsigned bits = 0;
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) bits |= static_cast<unsigned>(number[lane] < limit) << lane;
+    return bits;
+#endif
+}
 
-/// Writes those of the first `count` indices whose number is below the limit and which are not i; always writes a pack
-/// of them.
-[[gnu::always_inline]] inline void keep_below(Selected& selected, Pack number, double limit, PackIndices indices, int i,
-                                              int count)
+/// Writes those of a pack of indices whose bit is set to `out`, packed to the left; always writes a pack. Returns the end of
+/// what it has kept.
+[[gnu::always_inline]] inline int* keep_marked(int* out, PackIndices indices, unsigned bits)
 {
 #if defined(__AVX512F__) && defined(__AVX512VL__)
-    const auto first = static_cast<__mmask8>(count >= 8 ? 0xff : (1 << count) - 1);
-    const auto lanes = reinterpret_cast<__m256i>(indices);
-    const __m256i own = _mm256_set1_epi32(i);
-    const __mmask8 others = _mm256_mask_cmpneq_epi32_mask(first, lanes, own);
-    const __mmask8 kept = _mm512_mask_cmp_pd_mask(others, number, _mm512_set1_pd(limit), _CMP_LT_OQ);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(selected.end), _mm256_maskz_compress_epi32(kept, lanes));
-    selected.end += __builtin_popcount(kept);
-    selected.before += __builtin_popcount(_mm256_mask_cmplt_epi32_mask(kept, lanes, own));
+    const auto kept = _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), reinterpret_cast<__m256i>(indices));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), kept);
+    return out + __builtin_popcount(bits);
 #elif defined(__AVX2__)
-    const auto lanes = reinterpret_cast<__m128i>(indices);
-    const int first = count >= 4 ? 0xf : (1 << count) - 1;
-    const int own = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(lanes, _mm_set1_epi32(i))));
-    const int less = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmplt_epi32(lanes, _mm_set1_epi32(i))));
-    const int below = _mm256_movemask_pd(_mm256_cmp_pd(number, _mm256_set1_pd(limit), _CMP_LT_OQ));
-    const int kept = below & first & ~own;
     __m128i places;
-    std::memcpy(&places, left_packed[static_cast<std::size_t>(kept)].data(), sizeof places);
-    _mm_storeu_ps(reinterpret_cast<float*>(selected.end), _mm_permutevar_ps(_mm_castsi128_ps(lanes), places));
-    selected.end += __builtin_popcount(static_cast<unsigned>(kept));
-    selected.before += __builtin_popcount(static_cast<unsigned>(kept & less));
+    std::memcpy(&places, left_packed[bits].data(), sizeof places);
+    const auto lanes = _mm_castsi128_ps(reinterpret_cast<__m128i>(indices));
+    _mm_storeu_ps(reinterpret_cast<float*>(out), _mm_permutevar_ps(lanes, places));
+    return out + __builtin_popcount(bits);
 #else
-    for (int lane = 0; lane < std::min(count, static_cast<int>(pack_lanes)); ++lane) {
-        const int kept = static_cast<int>(number[lane] < limit) & static_cast<int>(indices[lane] != i);
-        *selected.end = indices[lane];
-        selected.end += kept;
-        selected.before += kept & static_cast<int>(indices[lane] < i);
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
+        *out = indices[lane];
+        out += bits >> lane & 1;
+    }
+    return out;
+#endif
+}
+
+/// The last entries of a list, less than a unit of them, filled up to one.
+inline std::array<int, row_unit> last_unit(std::span<const int> rest, int filling)
+{
+    std::array<int, row_unit> unit;
+    unit.fill(filling);
+    for (std::size_t n = 0; n < rest.size(); ++n) unit[n] = rest[n];
+    return unit;
+}
+
+/// Writes the marked ones of a list (PointRows::mark) to `out`, in its order. Returns the end of what it has kept, and how
+/// many of these are less than i; `behind`: it keeps none of those. The list ascends.
+/// \pre room for as many indices and the overhang, one byte more behind the bits
+struct Taken {
+    int* end;
+    int before = 0;
+};
+template<bool behind = false>
+[[gnu::always_inline]] inline Taken take_marked(std::span<const int> listed, const std::uint8_t* bits, int i, int* out)
+{
+    Taken taken{out};
+#if defined(__AVX512F__)
+    const __m512i own = _mm512_set1_epi32(i);
+    for (std::size_t n = 0; n < listed.size(); n += 16) {
+        const std::size_t left = listed.size() - n;
+        std::uint16_t marks;
+        std::memcpy(&marks, bits + n / 8, sizeof marks);
+        auto kept = static_cast<__mmask16>(left < 16 ? marks & ((1U << left) - 1) : marks);
+        const __m512i indices = _mm512_maskz_loadu_epi32(kept, &listed[n]);
+        if constexpr (behind)
+            kept = _mm512_mask_cmpgt_epi32_mask(kept, indices, own);
+        else
+            taken.before += __builtin_popcount(_mm512_mask_cmplt_epi32_mask(kept, indices, own));
+        _mm512_storeu_si512(taken.end, _mm512_maskz_compress_epi32(kept, indices));
+        taken.end += __builtin_popcount(kept);
+    }
+#else
+    const auto take_unit = [&](const int* unit, unsigned marks) {
+        for (std::size_t part = 0; part < row_unit; part += pack_lanes) {
+            PackIndices indices;
+            std::memcpy(&indices, unit + part, sizeof indices);
+            taken.end = keep_marked(taken.end, indices, marks >> part & ((1U << pack_lanes) - 1));
+        }
+    };
+    std::size_t n = 0;
+    for (; n + row_unit <= listed.size(); n += row_unit) take_unit(&listed[n], *bits++);
+    if (n < listed.size()) take_unit(last_unit(listed.subspan(n), i).data(), *bits);
+    for (const int* j = out; j != taken.end; ++j) taken.before += *j < i ? 1 : 0;
+    if constexpr (behind) {
+        taken.end = std::copy(out + taken.before, taken.end, out);
+        taken.before = 0;
     }
 #endif
+    return taken;
 }
 
 /// Points in columns: for candidates that lie one after the other.
@@ -92,16 +143,19 @@ public:
             column[d] = columns_[d].data();
             x_i[d] = column[d][i];
         }
-        Selected selected{out};
         for (int j = begin; j < end; j += static_cast<int>(pack_lanes)) {
             Pack square{};
             for (std::size_t d = 0; d < D; ++d) {
                 const Pack x = load_pack(column[d] + j) - x_i[d];
                 square = d == 0 ? x * x : square + x * x;
             }
-            keep_below(selected, square, limit, counted + j, i, end - j);
+            const int own = i - j, left = end - j; // lanes
+            unsigned kept = lanes_below(square, limit);
+            if (left < static_cast<int>(pack_lanes)) kept &= (1U << left) - 1;
+            if (own >= 0 && own < static_cast<int>(pack_lanes)) kept &= ~(1U << own);
+            out = keep_marked(out, counted + j, kept);
         }
-        return selected.end;
+        return out;
     }
 
 private:
@@ -127,24 +181,19 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i) set(static_cast<int>(i), points[i]);
     }
 
-    /// Writes those of a list that have |x_j - x_i|^2 < limit to `out`, in its order. \pre room for as many indices and
-    /// the overhang
-    Selected select(int i, double limit, std::span<const int> listed, int* out) const
+    /// Marks those of a list that have |x_j - x_i|^2 < limit: bit n % 8 of byte n / 8 stands for its entry n.
+    void mark(int i, double limit, std::span<const int> listed, std::uint8_t* bits) const
     {
-        Selected selected{out};
+        const auto marks = [&](const int* unit) {
+            unsigned byte = 0;
+            for (std::size_t part = 0; part < row_unit; part += pack_lanes)
+                byte |= lanes_below(squares(i, unit + part), limit) << part;
+            return byte;
+        };
         std::size_t n = 0;
-        for (; n + pack_lanes <= listed.size(); n += pack_lanes) {
-            PackIndices indices;
-            std::memcpy(&indices, listed.data() + n, sizeof indices);
-            keep_below(selected, squares(i, listed.data() + n), limit, indices, i, static_cast<int>(pack_lanes));
-        }
-        for (; n < listed.size(); ++n) {
-            const int kept = square(i, listed[n]) < limit ? 1 : 0;
-            *selected.end = listed[n];
-            selected.end += kept;
-            selected.before += kept & static_cast<int>(listed[n] < i);
-        }
-        return selected;
+        for (; n + row_unit <= listed.size(); n += row_unit) *bits++ = static_cast<std::uint8_t>(marks(&listed[n]));
+        const std::size_t left = listed.size() - n;
+        *bits = left == 0 ? 0 : marks(last_unit(listed.subspan(n), i).data()) & ((1U << left) - 1);
     }
 
 private:
@@ -154,16 +203,6 @@ private:
 
     /// |x_j - x_i|^2 of a pack of points.
     [[gnu::always_inline]] inline Pack squares(int i, const int* j) const;
-    [[nodiscard]] double square(int i, int j) const
-    {
-        double sum = 0;
-        for (int d = 0; d < D; ++d) {
-            const double x = rows_[static_cast<std::size_t>(j)].x[d] - rows_[static_cast<std::size_t>(i)].x[d];
-            sum += x * x;
-        }
-        return sum;
-    }
-
     std::vector<Row> rows_;
 };
 

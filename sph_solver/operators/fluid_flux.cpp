@@ -19,12 +19,11 @@ std::vector<std::uint8_t> particles_of(const RowSet& rows, std::size_t particles
     return marks;
 }
 
-/// The neighbours before a row, where one of them has no row that could solve its face; else none.
-std::span<const int> to_solve(std::span<const int> before, const std::vector<std::uint8_t>& marks)
+/// Is there one among these particles that has no row, which could solve its face? Empty marks: all have one.
+bool any_without_row(std::span<const int> particles, const std::vector<std::uint8_t>& marks)
 {
-    const bool all = marks.empty() || std::all_of(before.begin(), before.end(),
-                                                  [&](int j) { return marks[static_cast<std::size_t>(j)] != 0; });
-    return all ? std::span<const int>{} : before;
+    return std::any_of(particles.begin(), particles.end(),
+                       [&](int j) { return marks[static_cast<std::size_t>(j)] == 0; });
 }
 
 template<int D, class AnyLimiter, class Motion, class Area>
@@ -32,11 +31,16 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
                 const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion, Area)
 {
     if (rows.size() == 0) return;
-    FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest, model, limiter, motion);
+    FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest(), model, limiter, motion);
     const auto marks = particles_of(rows, records.size());
+    PairBatch& pairs = batch.pairs();
     rows.for_each([&](std::size_t k, int i) {
-        batch.pairs().add(i, k, to_solve(neighbours.before(k), marks), neighbours.after(k));
-        if (batch.pairs().full()) batch.solve(sums);
+        const ReachedRow row = marks.empty() ? ReachedRow{} : neighbours.row(k, i);
+        if (any_without_row(row.ahead(), marks))
+            pairs.add(i, k, row.ahead(), row.behind());
+        else
+            pairs.take(i, k, 0, neighbours.unfold_behind(k, i, pairs.next()));
+        if (pairs.full()) batch.solve(sums);
     });
     batch.solve(sums);
 }

@@ -65,48 +65,69 @@ template<int D> struct Differences {
 /// packs enough only where little else waits for them.
 template<int D> class GradientBatch {
 public:
-    GradientBatch(GradientField<D>& sums, const PairRecords<D>& records, std::size_t longest_row,
+    GradientBatch(GradientField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
                   const FluidModel<D>& model)
-        : sums_(sums), records_(records), model_(model), packs_(filled + longest_row / pack_lanes + pack_parts)
+        : sums_(sums),
+          records_(records),
+          neighbours_(neighbours),
+          model_(model),
+          others_(filled + neighbours.longest() + row_overhang),
+          packs_(others_.size() / pack_lanes)
     {}
 
     /// Takes row k, of particle i: whole packs of its neighbours.
-    void add(std::size_t k, int i, std::span<const int> row)
+    void add(std::size_t k, int i)
     {
-        const double* state = records_.state(i);
-        const auto state_of = [this](int j) { return records_.state(j); };
-        const CubicSpline<D> kernel = model_.kernel;
-        Differences<D>* pack = &packs_[size_];
-        for (std::size_t n = 0; n < row.size(); n += pack_lanes)
-            (pack++)->find(load_columns<8>(state_of, &row[n]), state, kernel);
-        size_ += row.size() / pack_lanes;
-        rows_[row_count_++] = {k, row.size()};
+        const std::size_t length = neighbours_.unfold(k, i, &others_[size_]).packs().size();
+        size_ += length;
+        rows_[row_count_++] = {k, i, length};
         if (size_ >= filled || row_count_ == rows_.size()) sum();
     }
 
     /// Sums the rows that have been taken.
     void sum()
     {
+        find_differences();
         const Differences<D>* packs = packs_.data();
-        for (const auto& [k, length] : std::span(rows_).first(row_count_)) {
+        for (const Row& row : taken()) {
             PartSums<PackedSums<D>::count> parts{};
             for_each_part(
-                length, [&](auto part, std::size_t) __attribute__((always_inline)) { (packs++)->add_to(parts[part]); });
-            PackedSums<D>::write(sums_[k], parts, model_.eos.rho0);
+                row.length, [&](auto part, std::size_t)
+                                __attribute__((always_inline)) { (packs++)->add_to(parts[part]); });
+            PackedSums<D>::write(sums_[row.k], parts, model_.eos.rho0);
         }
         size_ = row_count_ = 0;
     }
 
 private:
-    static constexpr std::size_t filled = 40; // packs: the batch stays within the nearest caches
+    static constexpr std::size_t filled = 40 * pack_lanes; // the batch stays within the nearest caches
 
     struct Row {
-        std::size_t k = 0, length = 0;
+        std::size_t k = 0;
+        int particle = 0;
+        std::size_t length = 0;
     };
+
+    std::span<const Row> taken() const { return std::span(rows_).first(row_count_); }
+
+    void find_differences()
+    {
+        const auto state_of = [this](int j) { return records_.state(j); };
+        const CubicSpline<D> kernel = model_.kernel;
+        Differences<D>* pack = packs_.data();
+        const int* others = others_.data();
+        for (const Row& row : taken()) {
+            const double* state = records_.state(row.particle);
+            for (std::size_t n = 0; n < row.length; n += pack_lanes, others += pack_lanes)
+                (pack++)->find(load_columns<8>(state_of, others), state, kernel);
+        }
+    }
 
     GradientField<D>& sums_;
     const PairRecords<D>& records_;
+    const ReachedNeighbours& neighbours_;
     const FluidModel<D>& model_;
+    std::vector<int> others_;
     std::vector<Differences<D>> packs_;
     std::array<Row, 32> rows_;
     std::size_t size_ = 0, row_count_ = 0;
@@ -138,8 +159,8 @@ void accumulate_fluid_gradients(GradientField<D>& sums, const PairRecords<D>& re
                                 const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
 {
     sums.resize(rows.all());
-    GradientBatch<D> batch(sums, records, neighbours.longest, model);
-    rows.for_each([&](std::size_t k, int i) { batch.add(k, i, neighbours.packs_of(k)); });
+    GradientBatch<D> batch(sums, records, neighbours, model);
+    rows.for_each([&](std::size_t k, int i) { batch.add(k, i); });
     batch.sum();
 }
 

@@ -2,8 +2,29 @@
 #include "sph_solver/operators/neighbours_in_reach.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace sph {
+
+void ReachedNeighbours::start(const NeighbourList& list)
+{
+    static_assert(selection_overhang <= row_overhang);
+    list_ = &list;
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < list.rows(); ++k) longest = std::max(longest, list.of(k).size());
+    longest_ = whole_units(longest);
+    bits_.resize(list.rows() + list.indices.size() / 8 + 2);
+    row_.resize(longest_ + row_overhang);
+}
+
+/// A row of n entries has its bits in n / 8 + 1 bytes.
+std::size_t ReachedNeighbours::count(std::size_t k) const
+{
+    const std::uint8_t* bits = &bits_[place(k)];
+    int count = 0;
+    for (std::size_t n = 0; n <= list_->of(k).size() / 8; ++n) count += std::popcount(bits[n]);
+    return static_cast<std::size_t>(count);
+}
 
 template<int D>
 const ReachedNeighbours& NeighboursInReach<D>::select(const Particles<D>& particles, const NeighbourList& neighbours)
@@ -16,17 +37,8 @@ const ReachedNeighbours& NeighboursInReach<D>::select(const Particles<D>& partic
 
 template<int D> void NeighboursInReach<D>::start(const Particles<D>& particles, const NeighbourList& neighbours)
 {
-    static_assert(selection_overhang <= row_unit);
     points_.resize(particles.size());
-    const std::size_t rows = neighbours.rows();
-    reached_.begins.resize(rows);
-    reached_.splits.resize(rows);
-    reached_.ends.resize(rows);
-    // A row takes up to two units more than its candidates: the one behind it, and the one to fill up.
-    const std::size_t room = neighbours.indices.size() + 2 * (rows + 2) * row_unit;
-    if (reached_.indices.size() < room) reached_.indices.resize(room);
-    reached_.longest = 0;
-    next_ = 0;
+    reached_.start(neighbours);
 }
 
 template<int D> void NeighboursInReach<D>::take_positions(const Particles<D>& particles, const std::vector<int>& which)
@@ -36,21 +48,7 @@ template<int D> void NeighboursInReach<D>::take_positions(const Particles<D>& pa
 
 template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbours, const RowSet& rows)
 {
-    int* const first = reached_.indices.data();
-    int* out = first + next_;
-    std::size_t longest = reached_.longest;
-    rows.for_each([&](std::size_t k, int i) {
-        const auto [end, before] = points_.select(i, limit_, neighbours.of(k), out);
-        reached_.begins[k] = static_cast<std::size_t>(out - first);
-        const auto length = static_cast<std::size_t>(end - out);
-        std::fill_n(end, 2 * row_unit, i);
-        reached_.splits[k] = reached_.begins[k] + static_cast<std::size_t>(before);
-        reached_.ends[k] = static_cast<std::size_t>(end - first);
-        longest = std::max(longest, whole_units(length));
-        out += whole_units(length + row_unit - 1);
-    });
-    reached_.longest = longest;
-    next_ = static_cast<std::size_t>(out - first);
+    rows.for_each([&](std::size_t k, int i) { points_.mark(i, limit_, neighbours.of(k), reached_.bits_of(k)); });
 }
 
 template class NeighboursInReach<2>;

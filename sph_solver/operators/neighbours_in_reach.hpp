@@ -7,43 +7,72 @@
 #include "sph_solver/numerics/pack.hpp"
 #include "sph_solver/state/particles.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace sph {
 
-/// Who sees whom now, in the form that the pair loops read: rows over the owned particles, ascending, each followed by
-/// a unit or more of the particle itself, whose distance and jumps are exactly zero, and so is all that it adds.
-struct ReachedNeighbours {
-    std::vector<std::size_t> begins; ///< first entry of each row, a multiple of row_unit
-    std::vector<std::size_t> splits; ///< first neighbour j > i of each row
-    std::vector<std::size_t> ends;   ///< one past the last neighbour of each row
-    std::vector<int> indices;        ///< local indices
-    std::size_t longest = 0;         ///< entries of the longest row, whole units
+/// The neighbours of one particle, ascending, followed by two units of the particle itself, whose distance and jumps are
+/// exactly zero, and so is all that it adds.
+struct ReachedRow {
+    const int* begin = nullptr;
+    std::size_t before = 0; ///< neighbours j < i
+    std::size_t size = 0;
 
-    [[nodiscard]] std::size_t rows() const { return begins.size(); }
+    [[nodiscard]] std::span<const int> all() const { return {begin, size}; }
+    /// In whole packs: the last unit may lack the second of two, which would add zero.
+    [[nodiscard]] std::span<const int> packs() const
+    {
+        return {begin, (size + pack_lanes - 1) / pack_lanes * pack_lanes};
+    }
+    [[nodiscard]] std::span<const int> ahead() const { return {begin, before}; }
+    [[nodiscard]] std::span<const int> behind() const { return {begin + before, size - before}; }
+};
 
-    /// Neighbours of the k-th owned particle.
-    [[nodiscard]] std::span<const int> of(std::size_t k) const
-    {
-        return {indices.data() + begins[k], ends[k] - begins[k]};
-    }
+/// What unfolding a row writes behind it.
+inline constexpr std::size_t row_overhang = 2 * row_unit;
 
-    /// The same row in whole packs: its last unit may lack the second of two, which would add zero.
-    [[nodiscard]] std::span<const int> packs_of(std::size_t k) const
-    {
-        return {indices.data() + begins[k], (ends[k] - begins[k] + pack_lanes - 1) / pack_lanes * pack_lanes};
-    }
+/// Who sees whom now: rows over the owned particles, kept as one bit for each entry of the list, and unfolded one at a time
+/// in the form that the pair loops read.
+class ReachedNeighbours {
+public:
+    /// \pre `list` outlives its use here. All entries are to be marked anew.
+    void start(const NeighbourList& list);
 
-    /// Its neighbours j < i, and those j > i.
-    [[nodiscard]] std::span<const int> before(std::size_t k) const
+    [[nodiscard]] std::size_t rows() const { return list_->rows(); }
+    /// Entries of the longest row, whole units; may be larger.
+    [[nodiscard]] std::size_t longest() const { return longest_; }
+    /// How many neighbours row k has.
+    [[nodiscard]] std::size_t count(std::size_t k) const;
+    /// Row k, of particle i, written to `out`. \pre room for the longest row and row_overhang more
+    ReachedRow unfold(std::size_t k, int i, int* out) const
     {
-        return {indices.data() + begins[k], splits[k] - begins[k]};
+        const auto [end, before] = take_marked(list_->of(k), &bits_[place(k)], i, out);
+        std::fill_n(end, row_overhang, i);
+        return {out, static_cast<std::size_t>(before), static_cast<std::size_t>(end - out)};
     }
-    [[nodiscard]] std::span<const int> after(std::size_t k) const
+    /// Its neighbours j > i alone. Returns their number.
+    std::size_t unfold_behind(std::size_t k, int i, int* out) const
     {
-        return {indices.data() + splits[k], ends[k] - splits[k]};
+        return static_cast<std::size_t>(take_marked<true>(list_->of(k), &bits_[place(k)], i, out).end - out);
     }
+    /// The same as unfold, valid until the next row is asked for so.
+    [[nodiscard]] ReachedRow row(std::size_t k, int i) const { return unfold(k, i, row_.data()); }
+    /// Neighbours of the k-th owned particle, likewise.
+    [[nodiscard]] std::span<const int> of(std::size_t k) const { return row(k, 0).all(); }
+
+    /// The bits of row k, whole bytes.
+    [[nodiscard]] std::uint8_t* bits_of(std::size_t k) { return &bits_[place(k)]; }
+
+private:
+    [[nodiscard]] std::size_t place(std::size_t k) const { return k + list_->offsets[k] / 8; }
+
+    const NeighbourList* list_ = nullptr;
+    std::vector<std::uint8_t> bits_;
+    std::size_t longest_ = 0;
+    mutable std::vector<int> row_; ///< the last that was asked for
 };
 
 /// Leaves out of every row the neighbours that are beyond the kernel's support now: what the skin of the list holds
@@ -61,14 +90,13 @@ public:
     void take_positions(const Particles<D>& particles, const std::vector<int>& which);
     void select(const NeighbourList& neighbours, const RowSet& rows);
 
-    /// What has been selected. `indices` may be longer than its rows: the storage of the last call is used again.
+    /// What has been selected.
     const ReachedNeighbours& reached() const { return reached_; }
 
 private:
     double limit_;
     PointRows<D> points_;
     ReachedNeighbours reached_;
-    std::size_t next_ = 0; ///< where the next row is written
 };
 
 } // namespace sph

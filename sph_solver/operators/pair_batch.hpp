@@ -40,21 +40,32 @@ public:
     };
 
     explicit PairBatch(std::size_t longest_row)
-        : others_(whole_units(target + longest_row) + 2 * row_unit), owners_(others_.size() / pack_lanes)
+        : others_(whole_units(target + longest_row) + 4 * row_unit), owners_(others_.size() / pack_lanes)
     {}
 
+    /// Where the pairs of the next row are to be written: room for the longest one and four units more.
+    [[nodiscard]] int* next() { return &others_[next_begin()]; }
+
+    /// Takes what was written there as the pairs of particle i: `own` of them, and then `shared`, whose other particle hears
+    /// of them as well.
+    void take(int i, std::size_t k, std::size_t own, std::size_t shared)
+    {
+        const std::size_t begin = own + shared == 0 ? size_ : next_begin();
+        rows_.push_back({i, k, begin, own, begin + own + shared});
+        if (own + shared > 0) {
+            if (begin % pack_lanes != 0) owners_[packs() - 1] = {owners_[packs() - 1].first, i, begin % pack_lanes};
+            const std::size_t owned = (begin + pack_lanes - 1) / pack_lanes;
+            size_ = begin + own + shared;
+            for (std::size_t pack = owned; pack < packs(); ++pack) owners_[pack] = {i, i, pack_lanes};
+        }
+        if (size_ > 0) fill_free_lanes();
+    }
+
     /// Appends the pairs of particle i with `own` and then those with `shared`, which hear of them as well.
-    /// \pre what lies behind each can be read up to a whole unit
     void add(int i, std::size_t k, std::span<const int> own, std::span<const int> shared)
     {
-        if (own.empty() && shared.empty()) return rows_.push_back({i, k, size_, 0, size_});
-        begin_row(i);
-        rows_.push_back({i, k, size_, own.size(), size_ + own.size() + shared.size()});
-        const std::size_t owned = packs();
-        append(own);
-        append(shared);
-        for (std::size_t pack = owned; pack < packs(); ++pack) owners_[pack] = {i, i, pack_lanes};
-        for (std::size_t pair = size_; pair < packs() * pack_lanes; ++pair) others_[pair] = i; // free lanes
+        std::copy(shared.begin(), shared.end(), std::copy(own.begin(), own.end(), next()));
+        take(i, k, own.size(), shared.size());
     }
 
     [[nodiscard]] bool full() const { return size_ >= target; }
@@ -77,23 +88,17 @@ public:
 private:
     static constexpr std::size_t target = 192; // pairs: the batch stays within the nearest caches
 
-    /// Copies whole units.
-    void append(std::span<const int> row)
+    /// A pack has two owners at most: the third one's row begins with the next pack.
+    [[nodiscard]] std::size_t next_begin() const
     {
-        for (std::size_t n = 0; n < row.size(); n += row_unit)
-            std::memcpy(&others_[size_ + n], row.data() + n, row_unit * sizeof(int));
-        size_ += row.size();
+        const bool shared = size_ % pack_lanes != 0 && owners_[packs() - 1].split < pack_lanes;
+        return shared ? packs() * pack_lanes : size_;
     }
 
-    /// A pack has two owners at most: the third one's row begins with the next pack.
-    void begin_row(int i)
+    void fill_free_lanes()
     {
-        if (size_ % pack_lanes == 0) return;
-        PackOwners& open = owners_[packs() - 1];
-        if (open.split < pack_lanes)
-            size_ = packs() * pack_lanes;
-        else
-            open = {open.first, i, size_ % pack_lanes};
+        const int last = owners_[packs() - 1].second;
+        for (std::size_t pair = size_; pair < packs() * pack_lanes; ++pair) others_[pair] = last;
     }
 
     std::size_t size_ = 0; ///< pairs, with the free lanes between rows

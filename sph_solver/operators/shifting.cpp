@@ -50,8 +50,9 @@ void find_shifts(Particles<D>& particles, const PairRecords<D>& records, const R
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         particles.shift[i].setZero();
         if (!eigenvalues_exceed<D>(sums[k].moment, full_neighbourhood)) continue;
-        Vec<D> uneven = h * concentration_gradient<D>(records.state(particles.owned[k]), neighbours.packs_of(k),
-                                                      records, model.kernel);
+        const ReachedRow row = neighbours.row(k, particles.owned[k]);
+        Vec<D> uneven =
+            h * concentration_gradient<D>(records.state(particles.owned[k]), row.packs(), records, model.kernel);
         if (uneven.norm() > most) uneven *= most / uneven.norm();
         const double speed =
             std::min(motion->beta * h * strain_rate<D>(particles.velocity_gradient[i]), fastest * model.eos.c0);

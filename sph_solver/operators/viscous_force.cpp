@@ -34,7 +34,7 @@ void ViscousForce<D>::add(Rates<D>& rates, std::vector<Vec<D>>& sums, const Pair
 {
     rows.for_each([&](std::size_t k, int i) {
         const double* state = records.state(i);
-        const auto row = neighbours.packs_of(k);
+        const auto row = neighbours.row(k, i).packs();
         PartSums<D> sum{};
         for_each_part(row.size(), [&](auto part, std::size_t n) {
             PackVector<D> x, jump;

@@ -6,7 +6,7 @@ namespace {
 
 double images(const WallContact& contact, const ReachedNeighbours& neighbours)
 {
-    const auto sources = static_cast<double>(neighbours.of(contact.row).size() + 1); // the neighbours and itself
+    const auto sources = static_cast<double>(neighbours.count(contact.row) + 1); // the neighbours and itself
     return (contact.plane_end - contact.plane_begin) * sources;
 }
 
@@ -15,7 +15,7 @@ double images(const WallContact& contact, const ReachedNeighbours& neighbours)
 template<int D> WorkMeter::Counts count_work(const ReachedNeighbours& neighbours, const WallContacts<D>& contacts)
 {
     WorkMeter::Counts counts{static_cast<double>(neighbours.rows()), 0.0, 0.0};
-    for (std::size_t k = 0; k < neighbours.rows(); ++k) counts[1] += static_cast<double>(neighbours.of(k).size());
+    for (std::size_t k = 0; k < neighbours.rows(); ++k) counts[1] += static_cast<double>(neighbours.count(k));
     for (const WallContact& contact : contacts.contacts) counts[2] += images(contact, neighbours);
     return counts;
 }
@@ -26,7 +26,7 @@ std::vector<double> work_costs(const WorkMeter& meter, const ReachedNeighbours& 
 {
     std::vector<double> costs(neighbours.rows(), meter.cost(Work::particle));
     for (std::size_t k = 0; k < costs.size(); ++k)
-        costs[k] += meter.cost(Work::pair) * static_cast<double>(neighbours.of(k).size());
+        costs[k] += meter.cost(Work::pair) * static_cast<double>(neighbours.count(k));
     for (const WallContact& contact : contacts.contacts)
         costs[contact.row] += meter.cost(Work::image) * images(contact, neighbours);
     return costs;

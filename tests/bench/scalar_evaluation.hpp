@@ -15,7 +15,7 @@ void scalar_evaluation(Particles<D>& particles, Rates<D>& rates, GradientField<D
 {
     const auto for_each_pair = [&](auto visit) {
         for (std::size_t i = 0; i < neighbours.rows(); ++i)
-            for (const int j : neighbours.after(i))
+            for (const int j : neighbours.row(i, static_cast<int>(i)).behind())
                 visit(i, static_cast<std::size_t>(j), Vec<D>(particles.position[j] - particles.position[i]));
     };
     sums.assign(particles.size(), {});

@@ -2,6 +2,7 @@
 #include "sph_solver/neighbours/close_points.hpp"
 #include "tests/sph_solver/support/random_particles.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sph {
@@ -18,6 +19,7 @@ template<int D> void expect_plain_loop()
     columns.load(x);
     rows.load(x);
     std::vector<int> found(x.size() + selection_overhang);
+    std::vector<std::uint8_t> bits(x.size() / 8 + 2);
     for (int i = 0; i < 40; ++i) {
         for (int begin = 0; begin <= 40; begin += 3) {
             for (int end = begin; end <= 40; ++end) {
@@ -29,7 +31,13 @@ template<int D> void expect_plain_loop()
                     if (x_ij.squaredNorm() < limit) wanted.push_back(j);
                 }
                 ASSERT_EQ(std::vector<int>(found.data(), columns.select(i, limit, begin, end, found.data())), wanted);
-                ASSERT_EQ(std::vector<int>(found.data(), rows.select(i, limit, listed, found.data()).end), wanted);
+                rows.mark(i, limit, listed, bits.data());
+                const Taken all = take_marked(listed, bits.data(), i, found.data());
+                ASSERT_EQ(std::vector<int>(found.data(), all.end), wanted);
+                const auto first_behind = std::upper_bound(wanted.begin(), wanted.end(), i);
+                ASSERT_EQ(all.before, first_behind - wanted.begin());
+                const Taken behind = take_marked<true>(listed, bits.data(), i, found.data());
+                ASSERT_EQ(std::vector<int>(found.data(), behind.end), std::vector<int>(first_behind, wanted.end()));
             }
         }
     }

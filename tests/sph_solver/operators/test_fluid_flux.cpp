@@ -51,7 +51,7 @@ template<int D> struct RoughFlow {
     FluidModel<D> model;
     Particles<D> particles;
     PairRecords<D> records;
-    ReachedNeighbours neighbours;
+    sample::HeldNeighbours neighbours;
     GradientField<D> sums;
     FluxField<D> fluxes;
     Rates<D> rates;

@@ -37,7 +37,7 @@ template<int D> struct LinearFlow {
 
     Particles<D> particles;
     PairRecords<D> records;
-    ReachedNeighbours neighbours;
+    sample::HeldNeighbours neighbours;
     GradientField<D> sums;
 };
 

@@ -40,7 +40,7 @@ template<int D> struct StretchedFlow {
     Mat<D> slope;
     Particles<D> particles;
     PairRecords<D> records;
-    ReachedNeighbours neighbours;
+    sample::HeldNeighbours neighbours;
     GradientField<D> sums;
     FluxField<D> fluxes;
     Rates<D> rates;

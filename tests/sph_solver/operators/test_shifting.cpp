@@ -33,7 +33,7 @@ template<int D> struct ShiftedFlow {
     Walls<D> walls{WallSettings<D>{}};
     Particles<D> particles;
     PairRecords<D> records;
-    ReachedNeighbours neighbours;
+    sample::HeldNeighbours neighbours;
     GradientField<D> sums;
     FluxField<D> fluxes;
     Rates<D> rates;
