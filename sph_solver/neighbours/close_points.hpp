@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sph_solver/neighbours/neighbour_list.hpp"
 #include "sph_solver/numerics/pack_columns.hpp"
 #include "sph_solver/numerics/vector.hpp"
 
@@ -68,34 +69,32 @@ inline constexpr auto left_packed = [] {
 #endif
 }
 
-/// The last entries of a list, less than a unit of them, filled up to one.
-inline std::array<int, row_unit> last_unit(std::span<const int> rest, int filling)
-{
-    std::array<int, row_unit> unit;
-    unit.fill(filling);
-    for (std::size_t n = 0; n < rest.size(); ++n) unit[n] = rest[n];
-    return unit;
-}
-
-/// Writes the marked ones of a list (PointRows::mark) to `out`, in its order. Returns the end of what it has kept, and how
-/// many of these are less than i; `behind`: it keeps none of those. The list ascends.
-/// \pre room for as many indices and the overhang, one byte more behind the bits
+/// Where the selection of a row stands: the end of what it has kept, and how many of these are less than i.
 struct Taken {
     int* end;
     int before = 0;
 };
+
+/// Writes those of a block of neighbours to `taken.end` that are marked (PointRows::mark); the block's first entry has the bit
+/// number `first`. `behind`: it keeps none that are less than i.
+/// \pre room for as many indices and the overhang; three bytes more behind the bits
 template<bool behind = false>
-[[gnu::always_inline]] inline Taken take_marked(std::span<const int> listed, const std::uint8_t* bits, int i, int* out)
+[[gnu::always_inline]] inline void take_marked(Taken& taken, const NeighbourBlock& block, const std::uint8_t* bits,
+                                               int first, int i)
 {
-    Taken taken{out};
+    const auto marks_of = [&](int n, int most) {
+        std::uint32_t marks;
+        std::memcpy(&marks, bits + (first + n) / 8, sizeof marks);
+        return marks >> ((first + n) % 8) & ((1U << std::min(most, block.count - n)) - 1);
+    };
 #if defined(__AVX512F__)
-    const __m512i own = _mm512_set1_epi32(i);
-    for (std::size_t n = 0; n < listed.size(); n += 16) {
-        const std::size_t left = listed.size() - n;
-        std::uint16_t marks;
-        std::memcpy(&marks, bits + n / 8, sizeof marks);
-        auto kept = static_cast<__mmask16>(left < 16 ? marks & ((1U << left) - 1) : marks);
-        const __m512i indices = _mm512_maskz_loadu_epi32(kept, &listed[n]);
+    const __m512i own = _mm512_set1_epi32(i), base = _mm512_set1_epi32(block.base);
+    for (int n = 0; n < block.count; n += 16) {
+        auto kept = static_cast<__mmask16>(marks_of(n, 16));
+        __m256i words;
+        std::memcpy(&words, block.offsets + n, sizeof words);
+        const __m512i indices =
+            _mm512_mask_add_epi32(base, 0xffff, base, _mm512_mask_cvtepu16_epi32(base, 0xffff, words));
         if constexpr (behind)
             kept = _mm512_mask_cmpgt_epi32_mask(kept, indices, own);
         else
@@ -104,23 +103,20 @@ template<bool behind = false>
         taken.end += __builtin_popcount(kept);
     }
 #else
-    const auto take_unit = [&](const int* unit, unsigned marks) {
-        for (std::size_t part = 0; part < row_unit; part += pack_lanes) {
-            PackIndices indices;
-            std::memcpy(&indices, unit + part, sizeof indices);
-            taken.end = keep_marked(taken.end, indices, marks >> part & ((1U << pack_lanes) - 1));
-        }
-    };
-    std::size_t n = 0;
-    for (; n + row_unit <= listed.size(); n += row_unit) take_unit(&listed[n], *bits++);
-    if (n < listed.size()) take_unit(last_unit(listed.subspan(n), i).data(), *bits);
-    for (const int* j = out; j != taken.end; ++j) taken.before += *j < i ? 1 : 0;
-    if constexpr (behind) {
-        taken.end = std::copy(out + taken.before, taken.end, out);
-        taken.before = 0;
+    using PackWords = std::uint16_t __attribute__((vector_size(pack_lanes * sizeof(std::uint16_t))));
+    int* const begin = taken.end;
+    for (int n = 0; n < block.count; n += static_cast<int>(pack_lanes)) {
+        PackWords words;
+        std::memcpy(&words, block.offsets + n, sizeof words);
+        const PackIndices indices = __builtin_convertvector(words, PackIndices) + block.base;
+        taken.end = keep_marked(taken.end, indices, marks_of(n, static_cast<int>(pack_lanes)));
     }
+    const auto before = static_cast<int>(std::count_if(begin, taken.end, [i](int j) { return j < i; }));
+    if constexpr (behind)
+        taken.end = std::copy(begin + before, taken.end, begin);
+    else
+        taken.before += before;
 #endif
-    return taken;
 }
 
 /// Points in columns: for candidates that lie one after the other.
@@ -181,19 +177,16 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i) set(static_cast<int>(i), points[i]);
     }
 
-    /// Marks those of a list that have |x_j - x_i|^2 < limit: bit n % 8 of byte n / 8 stands for its entry n.
+    /// Marks those of a list that have |x_j - x_i|^2 < limit: bit n % 8 of byte n / 8 stands for its entry n; further bits of
+    /// the last byte mean nothing. \pre a unit of indices behind the list, in range
     void mark(int i, double limit, std::span<const int> listed, std::uint8_t* bits) const
     {
-        const auto marks = [&](const int* unit) {
+        for (std::size_t n = 0; n < listed.size(); n += row_unit) {
             unsigned byte = 0;
             for (std::size_t part = 0; part < row_unit; part += pack_lanes)
-                byte |= lanes_below(squares(i, unit + part), limit) << part;
-            return byte;
-        };
-        std::size_t n = 0;
-        for (; n + row_unit <= listed.size(); n += row_unit) *bits++ = static_cast<std::uint8_t>(marks(&listed[n]));
-        const std::size_t left = listed.size() - n;
-        *bits = left == 0 ? 0 : marks(last_unit(listed.subspan(n), i).data()) & ((1U << left) - 1);
+                byte |= lanes_below(squares(i, listed.data() + n + part), limit) << part;
+            *bits++ = static_cast<std::uint8_t>(byte);
+        }
     }
 
 private:

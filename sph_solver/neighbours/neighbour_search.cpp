@@ -10,28 +10,36 @@ template<int D>
 NeighbourSearch<D>::NeighbourSearch(double support, double skin) : support_(support), skin_(skin), grid_(support + skin)
 {}
 
-/// Row after row, cell by cell: the runs of candidates are the same for all particles of a cell.
 template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles)
+{
+    build(particles, {.concerns = [](const Vec<D>&) { return false; }, .lets_pass = {}});
+}
+
+/// Row after row, cell by cell: the runs of candidates are the same for all particles of a cell.
+template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
 {
     const std::vector<int>& owned = particles.owned;
     find_cells(particles.position);
-    points_.load(particles.position);
-    list_.offsets.assign(owned.size() + 1, 0);
+    PointColumns<D> points;
+    points.load(particles.position);
+    list_.clear();
     built_at_.resize(owned.size());
     sweep_.fill(0);
-    std::size_t count = 0;
     std::size_t k = 0;
     for (std::size_t cell = 0; cell < cell_keys_.size(); ++cell) {
         const int end = cell_begins_[cell + 1];
         if (k == owned.size() || owned[k] >= end) continue;
         const Runs runs = runs_around(cell_keys_[cell]);
         for (; k < owned.size() && owned[k] < end; ++k) {
-            append_row(owned[k], runs, count);
-            list_.offsets[k + 1] = count;
-            built_at_[k] = particles.position[static_cast<std::size_t>(owned[k])];
+            const Vec<D>& x = built_at_[k] = particles.position[static_cast<std::size_t>(owned[k])];
+            find_row(owned[k], runs, points);
+            if (filter.concerns(x))
+                std::erase_if(
+                    row_, [&](int j) { return !filter.lets_pass(x, particles.position[static_cast<std::size_t>(j)]); });
+            list_.append(row_);
         }
     }
-    list_.indices.resize(count);
+    list_.finish();
 }
 
 /// Ranges of equal cell in the sorted particles.
@@ -70,35 +78,14 @@ template<int D> auto NeighbourSearch<D>::runs_around(CellKey key) -> Runs
     return runs;
 }
 
-/// `indices` only grows here and is cut to size at the end: what the last list has left in it is written over.
-template<int D> void NeighbourSearch<D>::append_row(int i, const Runs& runs, std::size_t& count)
+template<int D> void NeighbourSearch<D>::find_row(int i, const Runs& runs, const PointColumns<D>& points)
 {
-    std::size_t room = count + selection_overhang;
+    std::size_t room = selection_overhang;
     for (const auto& [begin, end] : runs) room += static_cast<std::size_t>(end - begin);
-    if (list_.indices.size() < room) list_.indices.resize(room + room / 4);
-    int* const first = list_.indices.data();
-    int* out = first + count;
-    for (const auto& [begin, end] : runs) out = points_.select(i, reach() * reach(), begin, end, out);
-    count = static_cast<std::size_t>(out - first);
-}
-
-template<int D> void NeighbourSearch<D>::build(const Particles<D>& particles, const PairFilter<D>& filter)
-{
-    build(particles);
-    std::size_t kept = 0;
-    std::size_t read = 0;
-    for (std::size_t k = 0; k < particles.owned.size(); ++k) {
-        const Vec<D>& x_i = particles.position[static_cast<std::size_t>(particles.owned[k])];
-        const std::size_t end = list_.offsets[k + 1];
-        const bool all_pass = !filter.concerns(x_i);
-        for (; read < end; ++read) {
-            const int j = list_.indices[read];
-            if (all_pass || filter.lets_pass(x_i, particles.position[static_cast<std::size_t>(j)]))
-                list_.indices[kept++] = j;
-        }
-        list_.offsets[k + 1] = kept;
-    }
-    list_.indices.resize(kept);
+    row_.resize(room);
+    int* out = row_.data();
+    for (const auto& [begin, end] : runs) out = points.select(i, reach() * reach(), begin, end, out);
+    row_.resize(static_cast<std::size_t>(out - row_.data()));
 }
 
 template<int D> double NeighbourSearch<D>::largest_displacement(const Particles<D>& particles) const

@@ -43,14 +43,13 @@ private:
 
     void find_cells(const std::vector<Vec<D>>& position);
     [[nodiscard]] Runs runs_around(CellKey key);
-    void append_row(int i, const Runs& runs, std::size_t& count);
-    void apply_filter(const Particles<D>& particles, const PairFilter<D>& filter);
+    void find_row(int i, const Runs& runs, const PointColumns<D>& points);
 
     double support_;
     double skin_;
     CellGrid<D> grid_;
     NeighbourList list_;
-    PointColumns<D> points_;                     ///< positions of all local particles
+    std::vector<int> row_;                       ///< the row that is being made
     std::vector<Vec<D>> built_at_;               ///< positions of the owned particles at the build
     std::vector<CellKey> cell_keys_;             ///< occupied cells, ascending
     std::vector<int> cell_begins_;               ///< first local index of each, and the end

@@ -51,7 +51,10 @@ struct RowSplit {
         halo.clear();
         for (std::size_t k = 0; k < list.rows(); ++k) {
             bool needs_others = false;
-            for (const int j : list.of(k)) needs_others |= is_owned[static_cast<std::size_t>(j)] == 0;
+            list.for_each_block(k, [&](const NeighbourBlock& block) {
+                for (int n = 0; n < block.count; ++n)
+                    needs_others |= is_owned[static_cast<std::size_t>(block.base + block.offsets[n])] == 0;
+            });
             (needs_others ? border : inner).push_back(static_cast<int>(k));
         }
         for (std::size_t i = 0; i < is_owned.size(); ++i)

@@ -2,7 +2,6 @@
 #include "sph_solver/operators/neighbours_in_reach.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace sph {
 
@@ -10,21 +9,12 @@ void ReachedNeighbours::start(const NeighbourList& list)
 {
     static_assert(selection_overhang <= row_overhang);
     list_ = &list;
-    std::size_t longest = 0;
-    for (std::size_t k = 0; k < list.rows(); ++k) longest = std::max(longest, list.of(k).size());
-    longest_ = whole_units(longest);
-    bits_.resize(list.rows() + list.indices.size() / 8 + 2);
+    longest_ = whole_units(list.longest());
+    bits_.resize(list.rows() + list.words_before(list.rows()) / 8 + 4);
     row_.resize(longest_ + row_overhang);
 }
 
-/// A row of n entries has its bits in n / 8 + 1 bytes.
-std::size_t ReachedNeighbours::count(std::size_t k) const
-{
-    const std::uint8_t* bits = &bits_[place(k)];
-    int count = 0;
-    for (std::size_t n = 0; n <= list_->of(k).size() / 8; ++n) count += std::popcount(bits[n]);
-    return static_cast<std::size_t>(count);
-}
+std::size_t ReachedNeighbours::count(std::size_t k) const { return row(k, 0).size; }
 
 template<int D>
 const ReachedNeighbours& NeighboursInReach<D>::select(const Particles<D>& particles, const NeighbourList& neighbours)
@@ -48,7 +38,12 @@ template<int D> void NeighboursInReach<D>::take_positions(const Particles<D>& pa
 
 template<int D> void NeighboursInReach<D>::select(const NeighbourList& neighbours, const RowSet& rows)
 {
-    rows.for_each([&](std::size_t k, int i) { points_.mark(i, limit_, neighbours.of(k), reached_.bits_of(k)); });
+    row_.resize(neighbours.longest() + row_overhang);
+    rows.for_each([&](std::size_t k, int i) {
+        int* const end = neighbours.copy(k, row_.data());
+        std::fill_n(end, row_unit, i);
+        points_.mark(i, limit_, {row_.data(), end}, reached_.bits_of(k));
+    });
 }
 
 template class NeighboursInReach<2>;

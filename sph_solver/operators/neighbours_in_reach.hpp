@@ -49,14 +49,14 @@ public:
     /// Row k, of particle i, written to `out`. \pre room for the longest row and row_overhang more
     ReachedRow unfold(std::size_t k, int i, int* out) const
     {
-        const auto [end, before] = take_marked(list_->of(k), &bits_[place(k)], i, out);
+        const auto [end, before] = take<false>(k, i, out);
         std::fill_n(end, row_overhang, i);
         return {out, static_cast<std::size_t>(before), static_cast<std::size_t>(end - out)};
     }
     /// Its neighbours j > i alone. Returns their number.
     std::size_t unfold_behind(std::size_t k, int i, int* out) const
     {
-        return static_cast<std::size_t>(take_marked<true>(list_->of(k), &bits_[place(k)], i, out).end - out);
+        return static_cast<std::size_t>(take<true>(k, i, out).end - out);
     }
     /// The same as unfold, valid until the next row is asked for so.
     [[nodiscard]] ReachedRow row(std::size_t k, int i) const { return unfold(k, i, row_.data()); }
@@ -67,7 +67,19 @@ public:
     [[nodiscard]] std::uint8_t* bits_of(std::size_t k) { return &bits_[place(k)]; }
 
 private:
-    [[nodiscard]] std::size_t place(std::size_t k) const { return k + list_->offsets[k] / 8; }
+    [[nodiscard]] std::size_t place(std::size_t k) const { return k + list_->words_before(k) / 8; }
+
+    template<bool behind> [[gnu::always_inline]] inline Taken take(std::size_t k, int i, int* out) const
+    {
+        Taken taken{out};
+        const std::uint8_t* bits = &bits_[place(k)];
+        int first = 0;
+        list_->for_each_block(k, [&](const NeighbourBlock& block) {
+            take_marked<behind>(taken, block, bits, first, i);
+            first += block.count;
+        });
+        return taken;
+    }
 
     const NeighbourList* list_ = nullptr;
     std::vector<std::uint8_t> bits_;
@@ -97,6 +109,7 @@ private:
     double limit_;
     PointRows<D> points_;
     ReachedNeighbours reached_;
+    std::vector<int> row_; ///< of the list, the one that is being compared
 };
 
 } // namespace sph

@@ -64,7 +64,7 @@ void run(const base::Communicator& comm, int side)
     const std::size_t owned = particles.owned.size(), halo = particles.size() - owned;
     const double mean_owned = std::pow(side, 3) / comm.size();
     const double boxes = halo_of_boxes(comm.size(), side, search.reach());
-    const double work = largest_over_mean(comm, search.list().indices.size() + 10 * owned);
+    const double work = largest_over_mean(comm, search.list().entries() + 10 * owned);
     const double most_owned = largest_over_mean(comm, owned);
     const double mean_halo = comm.sum(static_cast<double>(halo)) / comm.size();
     const double most_halo = comm.max(static_cast<double>(halo));

@@ -19,7 +19,7 @@ template<int D> void expect_plain_loop()
     columns.load(x);
     rows.load(x);
     std::vector<int> found(x.size() + selection_overhang);
-    std::vector<std::uint8_t> bits(x.size() / 8 + 2);
+    std::vector<std::uint8_t> bits(x.size() / 8 + 4);
     for (int i = 0; i < 40; ++i) {
         for (int begin = 0; begin <= 40; begin += 3) {
             for (int end = begin; end <= 40; ++end) {
@@ -31,12 +31,19 @@ template<int D> void expect_plain_loop()
                     if (x_ij.squaredNorm() < limit) wanted.push_back(j);
                 }
                 ASSERT_EQ(std::vector<int>(found.data(), columns.select(i, limit, begin, end, found.data())), wanted);
-                rows.mark(i, limit, listed, bits.data());
-                const Taken all = take_marked(listed, bits.data(), i, found.data());
+                NeighbourList list;
+                list.append(listed);
+                list.finish();
+                listed.resize(listed.size() + row_unit, i);
+                rows.mark(i, limit, std::span(listed).first(listed.size() - row_unit), bits.data());
+                Taken all{found.data()}, behind{found.data()};
+                list.for_each_block(0,
+                                    [&](const NeighbourBlock& block) { take_marked(all, block, bits.data(), 0, i); });
                 ASSERT_EQ(std::vector<int>(found.data(), all.end), wanted);
                 const auto first_behind = std::upper_bound(wanted.begin(), wanted.end(), i);
                 ASSERT_EQ(all.before, first_behind - wanted.begin());
-                const Taken behind = take_marked<true>(listed, bits.data(), i, found.data());
+                list.for_each_block(
+                    0, [&](const NeighbourBlock& block) { take_marked<true>(behind, block, bits.data(), 0, i); });
                 ASSERT_EQ(std::vector<int>(found.data(), behind.end), std::vector<int>(first_behind, wanted.end()));
             }
         }

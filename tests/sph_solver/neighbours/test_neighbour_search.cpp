@@ -56,7 +56,7 @@ TEST(NeighbourSearch, FilterTakesPairsOutOnBothSides)
             pairs += same_side(particles.position[k], particles.position[static_cast<std::size_t>(j)]) ? 1 : 0;
         }
     }
-    EXPECT_EQ(search.list().indices.size(), pairs);
+    EXPECT_EQ(search.list().entries(), pairs);
 }
 
 TEST(NeighbourSearch, KnowsTheLargestDisplacement)
@@ -76,6 +76,30 @@ TEST(NeighbourSearch, NoParticlesNoNeighbours)
     search.build(Particles<3>{});
     EXPECT_EQ(search.list().rows(), 0U);
     EXPECT_EQ(search.largest_displacement(Particles<3>{}), 0.0);
+}
+
+/// Rows whose indices lie more than 16 bits apart take several blocks, marks and all.
+TEST(NeighbourList, GivesBackRowsOfAnyExtent)
+{
+    const std::vector<std::vector<int>> rows = {
+        {}, {3}, {0, 65535}, {0, 65536}, {1, 2, 70000, 70001, 140000, 2000000000}, {}};
+    NeighbourList list;
+    for (const auto& row : rows) list.append(row);
+    list.finish();
+    ASSERT_EQ(list.rows(), rows.size());
+    EXPECT_EQ(list.entries(), 11U);
+    EXPECT_EQ(list.longest(), 6U);
+    for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(list.of(k), rows[k]);
+    std::vector<int> found(6 + selection_overhang);
+    const std::vector<std::uint8_t> bits = {0b110101, 0, 0, 0, 0};
+    Taken taken{found.data()};
+    int first = 0;
+    list.for_each_block(4, [&](const NeighbourBlock& block) {
+        take_marked(taken, block, bits.data(), first, 70000);
+        first += block.count;
+    });
+    EXPECT_EQ(std::vector<int>(found.data(), taken.end), (std::vector<int>{1, 70000, 140000, 2000000000}));
+    EXPECT_EQ(taken.before, 1);
 }
 
 } // namespace

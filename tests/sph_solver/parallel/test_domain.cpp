@@ -224,7 +224,7 @@ TEST(Domain, FewerBlocksThanRanksLeaveRanksEmpty)
     Domain<2> domain(world(), search.grid());
     domain.redistribute(particles);
     search.build(particles);
-    EXPECT_EQ(search.list().indices.size(), 0U);
+    EXPECT_EQ(search.list().entries(), 0U);
     EXPECT_EQ(world().sum(static_cast<std::int64_t>(particles.owned.size())), 2);
     domain.start_state(particles);
     domain.finish_state(particles);

@@ -31,7 +31,7 @@ TEST(Rebalance, WaterThatRunsAwayIsCutAnew)
     if (world().size() > 1) {
         EXPECT_GT(domain.balance().cuts(), 1);
     }
-    const auto mine = static_cast<std::int64_t>(search.list().indices.size());
+    const auto mine = static_cast<std::int64_t>(search.list().entries());
     EXPECT_LE(static_cast<double>(world().max(mine)), 1.35 * static_cast<double>(world().sum(mine)) / world().size());
 }
 

@@ -41,13 +41,15 @@ template<int D> NeighbourList brute_force_neighbours(const Particles<D>& particl
 {
     NeighbourList list;
     for (const int i : particles.owned) {
+        std::vector<int> row;
         for (int j = 0; j < static_cast<int>(particles.size()); ++j) {
             const Vec<D> x_ij =
                 particles.position[static_cast<std::size_t>(j)] - particles.position[static_cast<std::size_t>(i)];
-            if (j != i && x_ij.squaredNorm() < reach * reach) list.indices.push_back(j);
+            if (j != i && x_ij.squaredNorm() < reach * reach) row.push_back(j);
         }
-        list.offsets.push_back(list.indices.size());
+        list.append(row);
     }
+    list.finish();
     return list;
 }
 
