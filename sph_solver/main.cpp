@@ -5,6 +5,7 @@
 //     mpirun -n 1 sph_solver cases/elastic_gate/coupling.toml : -n 1 fem_solver cases/elastic_gate/coupling.toml
 #include "coupler_lib/session/session.hpp"
 #include "sph_solver/fluid_simulation.hpp"
+#include "sph_solver/return_memory.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ template<int D> void simulate(const sph::FluidConfig& config, coupler::Session& 
 
 int main(int argc, char** argv)
 {
+    sph::return_freed_memory();
     const coupler::ProgramInfo program{"sph_solver", "fluid",
                                        "Water with a violent free surface by Riemann-SPH, alone or coupled to a solid.",
                                        [](base::ConfigReader& reader) { sph::read_fluid_config(reader); }};
