@@ -6,7 +6,7 @@ namespace sph {
 template<int D> void StageUpdate<D>::start(const Particles<D>& particles)
 {
     start_.resize(particles.owned.size());
-    change_.assign(particles.owned.size(), Conserved{Vec<D>::Zero(), Vec<D>::Zero(), 0.0, 0.0});
+    change_.clear();
     for (std::size_t k = 0; k < start_.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
         start_[k] = {particles.position[i], particles.momentum[i], particles.volume[i], particles.mass[i]};
@@ -16,11 +16,12 @@ template<int D> void StageUpdate<D>::start(const Particles<D>& particles)
 template<int D>
 void StageUpdate<D>::apply(Particles<D>& particles, const Stage& stage, const Rates<D>& rates, double dt)
 {
-    const bool last = stage.next == 0.0;
+    const bool last = stage.next == 0.0, counts = stage.weight != 0.0;
     const double share = stage.weight * dt, ahead = stage.next * dt;
+    if (counts && !last && change_.empty()) change_.assign(start_.size(), no_change);
     for (std::size_t k = 0; k < start_.size(); ++k) {
         const auto i = static_cast<std::size_t>(particles.owned[k]);
-        Conserved& change = change_[k];
+        Conserved change = change_.empty() ? no_change : change_[k];
         const Vec<D> motion = particle_velocity(particles, i);
         change.position += share * motion;
         change.momentum += share * rates.momentum[i];
@@ -31,6 +32,7 @@ void StageUpdate<D>::apply(Particles<D>& particles, const Stage& stage, const Ra
         particles.momentum[i] = y.momentum + (last ? change.momentum : ahead * rates.momentum[i]);
         particles.volume[i] = y.volume + (last ? change.volume : ahead * rates.volume[i]);
         particles.mass[i] = y.mass + (last ? change.mass : ahead * rates.mass[i]);
+        if (counts && !last) change_[k] = change;
     }
 }
 
