@@ -69,7 +69,7 @@ void ViscousForce<D>::add_at_walls(WallForces<D>& forces, const WallImages<D>& i
                 x[a] = image.x[a] - state[a];
                 jump[a] = image.velocity[a] - state[D + a];
             }
-            add_pull<D>(sum[part], x, jump, load_pack(images.weights() + at) * source[2 * D + 1], model_.kernel);
+            add_pull<D>(sum[part], x, jump, load_pack(images.weights(group, at)) * source[2 * D + 1], model_.kernel);
         });
         const Vec<D> force = total<D>(sum, factor_ * PairRecords<D>::volume(state));
         forces.on_particle[group.contact] += force;

@@ -31,7 +31,7 @@ public:
                 const std::size_t count = std::min(batch, (group.end - begin) / row_unit);
                 for (std::size_t n = 0; n < count; ++n) {
                     const std::size_t at = begin + n * row_unit + part * pack_lanes;
-                    reconstruct(n, at, i, path, group.own_first && at == group.begin, limiter);
+                    reconstruct(n, at, i, path, group, limiter);
                 }
                 std::visit([&](auto riemann) { solve_riemann_problems(riemann, count); }, model_.riemann);
                 add(parts[part], count);
@@ -62,7 +62,7 @@ private:
 
     template<class AnyLimiter>
     [[gnu::always_inline]] inline void reconstruct(std::size_t n, std::size_t at, int i, const MirrorPath<D>& path,
-                                                   bool has_own, AnyLimiter limiter)
+                                                   const ImageGroup& group, AnyLimiter limiter)
     {
         const double* state_i = records_.state(i);
         const double* slope_i = records_.slope(i);
@@ -70,7 +70,7 @@ private:
         const auto source = load_columns<8>([this](int j) { return records_.state(j); }, sources);
         const auto slope =
             load_columns<PairRecords<D>::slope_size>([this](int j) { return records_.slope(j); }, sources);
-        const ImagePack<D> image = path.values(source, has_own);
+        const ImagePack<D> image = path.values(source, group.own_first && at == group.begin);
         PairView<D, Pack> pair{};
         RatioView<Pack> q{everywhere(state_i[2 * D]), image.ratio, Pack{}, Pack{}};
         for (std::size_t a = 0; a < D; ++a) {
@@ -86,7 +86,7 @@ private:
         path.predict(q.slope_j, pair.velocity_slope_j, slope, image, pair.x);
         const Pack r = square_root(dot(pair.x, pair.x) + 1e-300);
         pair.inverse_distance = 1.0 / r;
-        area_[n] = load_pack(images_.weights() + at) * source[2 * D + 1] * pair.inverse_distance *
+        area_[n] = load_pack(images_.weights(group, at)) * source[2 * D + 1] * pair.inverse_distance *
                    ((2.0 * state_i[2 * D + 1]) * model_.kernel.slope(r));
         faces_[n] = reconstruct_face(pair, q, 1.0 / model_.eos.c0, limiter);
         x_[n] = pair.x;

@@ -62,7 +62,7 @@ void accumulate_wall_gradients(GradientField<D>& sums, const WallImages<D>& imag
                 jump[a] = image.velocity[a] - state_i[D + a];
             }
             const Pack r = square_root(dot(x, x) + 1e-300);
-            const Pack weight = load_pack(images.weights() + at) * source[2 * D + 1] * (model.kernel.slope(r) / r);
+            const Pack weight = load_pack(images.weights(group, at)) * source[2 * D + 1] * (model.kernel.slope(r) / r);
             ImageSums<D>::add(parts[part], x, jump, image.ratio - state_i[2 * D], weight);
         });
         ImageSums<D>::add_to(sums[contact.row], parts, model.eos.rho0);

@@ -38,7 +38,7 @@ void WallImages<D>::find(const Walls<D>& walls, const PairRecords<D>& records, c
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const WallContact& contact = contacts[c];
         const bool alone = contact.plane_end == contact.plane_begin + 1 &&
-                           planes[static_cast<std::size_t>(contact.plane_begin)].cut_count == 0;
+                           planes[static_cast<std::size_t>(contact.plane_begin)].cuts.empty();
         if (alone)
             add_behind_plane(c, walls, records, neighbours.of(contact.row));
         else
@@ -55,7 +55,12 @@ void WallImages<D>::add_behind_plane(std::size_t contact, const Walls<D>& walls,
     const MirrorPlane<D>& plane = walls.contacts().planes[static_cast<std::size_t>(of.plane_begin)];
     const double support = walls.settings().support;
     const double* x_i = records.state(of.particle);
-    ImageGroup group{contact, {of.plane_begin}, 1, 2 * plane.distance < support, sources_.size(), 0};
+    ImageGroup group;
+    group.contact = contact;
+    group.path[0] = of.plane_begin;
+    group.order = 1;
+    group.own_first = 2 * plane.distance < support;
+    group.begin = sources_.size();
     sources_.resize(group.begin + neighbours.size() + 1);
     int* out = sources_.data() + group.begin;
     *out = of.particle;
@@ -72,7 +77,7 @@ void WallImages<D>::add_behind_plane(std::size_t contact, const Walls<D>& walls,
         out += (s > 0) & (square < support * support) ? 1 : 0;
     }
     sources_.resize(static_cast<std::size_t>(out - sources_.data()));
-    weights_.resize(sources_.size(), 1.0);
+    hold_ones(sources_.size() - group.begin);
     close_group(group, of.particle);
 }
 
@@ -104,6 +109,7 @@ template<int D> void WallImages<D>::flush_bucket(std::size_t code, const WallCon
     group.contact = number;
     group.own_first = bucket.sources[0] == contact.particle;
     group.begin = sources_.size();
+    group.weights = weights_.size();
     sources_.insert(sources_.end(), bucket.sources.begin(), bucket.sources.end());
     weights_.insert(weights_.end(), bucket.weights.begin(), bucket.weights.end());
     close_group(group, contact.particle);
@@ -112,9 +118,17 @@ template<int D> void WallImages<D>::flush_bucket(std::size_t code, const WallCon
 template<int D> void WallImages<D>::close_group(ImageGroup group, int particle)
 {
     group.end = group.begin + whole_units(sources_.size() - group.begin);
+    group.fillers = static_cast<std::uint8_t>(group.end - sources_.size());
     sources_.resize(group.end, particle);
-    weights_.resize(group.end, 0.0);
+    if (group.weights != ImageGroup::all_one) weights_.resize(group.weights + (group.end - group.begin), 0.0);
     if (group.end > group.begin) groups_.push_back(group);
+}
+
+template<int D> void WallImages<D>::hold_ones(std::size_t count)
+{
+    if (ones_.size() >= count + row_unit) return;
+    ones_.assign(count, 1.0);
+    ones_.resize(count + row_unit, 0.0);
 }
 
 template class WallImages<2>;

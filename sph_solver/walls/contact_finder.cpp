@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace sph {
 
@@ -40,7 +41,7 @@ void ContactFinder<D>::append_planes(const Vec<D>& x, std::span<const int> candi
         near_[static_cast<std::size_t>(at)].represented = true;
         if (!is_usable(plane, planes, first)) continue;
         mark_represented(plane, at);
-        planes.push_back(plane);
+        planes.push_back(std::move(plane));
     }
 }
 
@@ -175,18 +176,14 @@ template<int D> void ContactFinder<D>::mark_represented(MirrorPlane<D>& plane, i
 /// inside.
 template<int D> void ContactFinder<D>::drop_covered_cuts(MirrorPlane<D>& plane) const
 {
-    std::size_t kept = 0;
-    for (std::size_t c = 0; c < plane.cut_count; ++c) {
-        const Cut<D> cut = plane.cuts[c];
-        const bool covered = std::any_of(queue_.begin(), queue_.end(), [&](int facet) {
+    std::erase_if(plane.cuts, [&](const Cut<D>& cut) {
+        return std::any_of(queue_.begin(), queue_.end(), [&](int facet) {
             if (facets_.normal(facet).dot(plane.normal) < cos_sheet_) return false;
             const auto& corners = facets_.corners(facet);
             return std::any_of(corners.begin(), corners.end(),
                                [&](const Vec<D>& x) { return cut.normal.dot(x) > cut.offset + tolerance_; });
         });
-        if (!covered) plane.cuts[kept++] = cut;
-    }
-    plane.cut_count = kept;
+    });
 }
 
 template<int D> bool ContactFinder<D>::represents(const MirrorPlane<D>& plane, int facet) const
@@ -253,12 +250,12 @@ template<int D> void ContactFinder<D>::add_sight_cuts(MirrorPlane<D>& plane, int
 template<int D> void ContactFinder<D>::add_cut(MirrorPlane<D>& plane, const Vec<D>& normal, const Vec<D>& point) const
 {
     const double offset = normal.dot(point);
-    if (plane.cut_count == MirrorPlane<D>::max_cuts || normal.dot(plane.point) > offset + tolerance_) return;
+    if (plane.cuts.size() == MirrorPlane<D>::max_cuts || normal.dot(plane.point) > offset + tolerance_) return;
     if (normal.dot(plane.point + plane.distance * plane.normal) < offset - support_) return;
-    for (std::size_t c = 0; c < plane.cut_count; ++c)
-        if (normal.dot(plane.cuts[c].normal) > cos_flat && std::abs(offset - plane.cuts[c].offset) < tolerance_) return;
+    for (const Cut<D>& cut : plane.cuts)
+        if (normal.dot(cut.normal) > cos_flat && std::abs(offset - cut.offset) < tolerance_) return;
     const double turn = normal.dot(plane.normal);
-    plane.cuts[plane.cut_count++] = {normal, offset, std::sqrt(std::max(1e-4, 1 - turn * turn))};
+    plane.cuts.push_back({normal, offset, std::sqrt(std::max(1e-4, 1 - turn * turn))});
 }
 
 template class ContactFinder<2>;

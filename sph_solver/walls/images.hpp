@@ -132,9 +132,8 @@ private:
     double within_cuts(const MirrorPlane<D>& plane, const Vec<D>& x) const
     {
         double weight = 1;
-        for (std::size_t c = 0; c < plane.cut_count; ++c)
-            weight *= std::clamp(
-                0.5 - (plane.cuts[c].normal.dot(x) - plane.cuts[c].offset) / (fade_ * plane.cuts[c].slant), 0.0, 1.0);
+        for (const Cut<D>& cut : plane.cuts)
+            weight *= std::clamp(0.5 - (cut.normal.dot(x) - cut.offset) / (fade_ * cut.slant), 0.0, 1.0);
         return weight;
     }
 

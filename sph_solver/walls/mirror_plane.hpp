@@ -45,8 +45,7 @@ template<int D> struct MirrorPlane {
     int facet = -1;                             ///< that x_w lies on
     std::array<double, D> weight{};             ///< shape functions of the facet's corners at x_w
     int footprint_begin = 0, footprint_end = 0; ///< of a moving wall: its part of WallContacts::footprints
-    std::array<Cut<D>, max_cuts> cuts;
-    std::size_t cut_count = 0;
+    std::vector<Cut<D>> cuts;                   ///< max_cuts at most; few planes have any
 };
 
 /// One facet's part in a footprint: how much of the force its corners take, and how much of the motion they give.

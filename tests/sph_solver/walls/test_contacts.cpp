@@ -20,7 +20,7 @@ TEST(Contacts, FlushJointOfTwoBodiesIsOneSheet)
     auto walls = lines({{Vec<2>(9, 0), Vec<2>(0, 0)}, {Vec<2>(0, 0), Vec<2>(-9, 0)}});
     const auto planes = planes_at<2>(walls, {0.3, 0.5});
     ASSERT_EQ(planes.size(), 1u);
-    EXPECT_EQ(planes[0].cut_count, 0u);
+    EXPECT_EQ(planes[0].cuts.size(), 0u);
     EXPECT_NEAR(planes[0].normal.y(), 1, 1e-12);
     EXPECT_NEAR(planes[0].distance, 0.5, 1e-12);
 }
@@ -32,7 +32,7 @@ TEST(Contacts, FlushWallWithAFaceAgainstTheGateCutsNothing)
     for (const double y : {-1.0, -0.2, 0.2, 1.0}) {
         const auto planes = planes_at<2>(walls, {-0.5, y});
         ASSERT_EQ(planes.size(), 1u) << y;
-        EXPECT_EQ(planes[0].cut_count, 0u) << y;
+        EXPECT_EQ(planes[0].cuts.size(), 0u) << y;
         EXPECT_NEAR(planes[0].normal.x(), -1, 1e-12);
     }
 }
@@ -44,7 +44,7 @@ TEST(Contacts, ConvexEdgeHasOnePlaneTowardsTheParticle)
     ASSERT_EQ(planes.size(), 1u);
     EXPECT_NEAR(planes[0].normal.x(), -0.6, 1e-12);
     EXPECT_NEAR(planes[0].normal.y(), -0.8, 1e-12);
-    EXPECT_EQ(planes[0].cut_count, 2u);
+    EXPECT_EQ(planes[0].cuts.size(), 2u);
 }
 
 TEST(Contacts, ConcaveCornersHaveAPlaneForEachSheet)

@@ -162,9 +162,10 @@ TEST(ImagePacks, GroupsAreWholePacksThatBeginWithTheOwnImage)
         EXPECT_EQ((group.end - group.begin) % row_unit, 0u);
         const int self = square.contacts().contacts[group.contact].particle;
         EXPECT_EQ(group.own_first,
-                  pass.images.sources()[group.begin] == self && pass.images.weights()[group.begin] > 0);
+                  pass.images.sources()[group.begin] == self && *pass.images.weights(group, group.begin) > 0);
         for (std::size_t n = group.begin + 1; n < group.end; ++n)
-            EXPECT_EQ(pass.images.sources()[n] == self, pass.images.weights()[n] == 0) << "only fillings are itself";
+            EXPECT_EQ(pass.images.sources()[n] == self, *pass.images.weights(group, n) == 0)
+                << "only fillings are itself";
     }
 }
 
