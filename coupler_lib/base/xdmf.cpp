@@ -45,7 +45,7 @@ void XdmfWriter::write(double time, const XdmfTopology& topology, std::vector<do
     file_.attribute(group, "time", time);
     const std::size_t my_points = points.size() / 3;
     file_.write_rows(group + "/points", points.data(), my_points, 3);
-    points = {};
+    points = std::vector<double>();  // with its memory
     const auto nodes = static_cast<std::size_t>(topology.nodes_per_cell);
     if (topology.kind != "polyvertex")
         file_.write_rows(group + "/connectivity", topology.connectivity.data(), topology.connectivity.size() / nodes,

@@ -46,14 +46,14 @@ template<int D, class Motion, class Area> struct FluxPlaces {
 template<int D, class AnyLimiter, class Motion, class Area> class FaceBatch {
 public:
     FaceBatch(const PairRecords<D>& records, std::size_t longest_row, const FluidModel<D>& model, AnyLimiter limiter,
-              Motion motion)
+              Motion motion, std::span<std::byte> scratch)
         : records_(records),
           model_(model),
           limiter_(limiter),
           motion_(motion),
           pairs_(longest_row),
           faces_(pairs_.most_packs()),
-          sums_(records.size(), pairs_.most_packs())
+          sums_(records.size(), pairs_.most_packs(), scratch)
     {}
 
     /// The faces to be solved next.

@@ -28,10 +28,11 @@ bool any_without_row(std::span<const int> particles, const std::vector<std::uint
 
 template<int D, class AnyLimiter, class Motion, class Area>
 void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const ReachedNeighbours& neighbours,
-                const RowSet& rows, const FluidModel<D>& model, AnyLimiter limiter, Motion motion, Area)
+                const RowSet& rows, const FluidModel<D>& model, std::span<std::byte> scratch, AnyLimiter limiter,
+                Motion motion, Area)
 {
     if (rows.size() == 0) return;
-    FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest(), model, limiter, motion);
+    FaceBatch<D, AnyLimiter, Motion, Area> batch(records, neighbours.longest(), model, limiter, motion, scratch);
     const auto marks = particles_of(rows, records.size());
     PairBatch& pairs = batch.pairs();
     rows.for_each([&](std::size_t k, int i) {
@@ -49,11 +50,12 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
 
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model)
+                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model,
+                          std::span<std::byte> scratch)
 {
     sums.resize(rows.all());
     std::visit([&](auto limiter, auto motion,
-                   auto area) { sum_fluxes(sums, records, neighbours, rows, model, limiter, motion, area); },
+                   auto area) { sum_fluxes(sums, records, neighbours, rows, model, scratch, limiter, motion, area); },
                model.limiter, model.face_motion, model.pair_area);
     rows.for_each([&](std::size_t k, int particle) {
         const auto i = static_cast<std::size_t>(particle);
@@ -72,9 +74,9 @@ template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles,
 }
 
 template void add_fluid_fluid_flux<2>(Rates<2>&, FluxField<2>&, const PairRecords<2>&, const ReachedNeighbours&,
-                                      const RowSet&, const FluidModel<2>&);
+                                      const RowSet&, const FluidModel<2>&, std::span<std::byte>);
 template void add_fluid_fluid_flux<3>(Rates<3>&, FluxField<3>&, const PairRecords<3>&, const ReachedNeighbours&,
-                                      const RowSet&, const FluidModel<3>&);
+                                      const RowSet&, const FluidModel<3>&, std::span<std::byte>);
 template void add_gravity<2>(Rates<2>&, const Particles<2>&, const Vec<2>&);
 template void add_gravity<3>(Rates<3>&, const Particles<3>&, const Vec<3>&);
 

@@ -7,6 +7,9 @@
 #include "sph_solver/operators/pair_records.hpp"
 #include "sph_solver/state/particles.hpp"
 
+#include <cstddef>
+#include <span>
+
 namespace sph {
 
 /// Pass 2 over the neighbours: mass and momentum that each owned particle gets from its fluid pairs, MUSCL and exact
@@ -17,10 +20,12 @@ namespace sph {
 /// A face between two particles of the given rows is solved once (FaceBatch); the pair seen from the other side gives
 /// the exactly opposite flux, and sums keep their order, so that results do not depend on which rows are given or on the
 /// partition. Adds to `rates` and makes `sums` anew, for the given rows.
+/// \param scratch memory that nobody needs now, to sum in
 /// \pre records hold states and slopes of the present state; rows ascend.
 template<int D>
 void add_fluid_fluid_flux(Rates<D>& rates, FluxField<D>& sums, const PairRecords<D>& records,
-                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model);
+                          const ReachedNeighbours& neighbours, const RowSet& rows, const FluidModel<D>& model,
+                          std::span<std::byte> scratch = {});
 
 /// Weight of each owned particle, dP_i/dt += m_i g [N].
 template<int D> void add_gravity(Rates<D>& rates, const Particles<D>& particles, const Vec<D>& gravity);

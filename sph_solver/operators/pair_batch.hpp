@@ -4,6 +4,8 @@
 #include "sph_solver/numerics/pack_columns.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -121,7 +123,9 @@ public:
         double operator[](std::size_t n) const { return data[n]; }
     };
 
-    PairSums(std::size_t particles, std::size_t most_packs) : received_(particles), of_pairs_(most_packs * pack_lanes)
+    /// \param scratch memory for what the particles receive; what does not fit there comes from the system
+    PairSums(std::size_t particles, std::size_t most_packs, std::span<std::byte> scratch = {})
+        : memory_(scratch.data(), scratch.size()), received_(particles, &memory_), of_pairs_(most_packs * pack_lanes)
     {}
 
     /// Takes the numbers of a pack's pairs, as the other particle gets them.
@@ -194,7 +198,8 @@ private:
         unrolled<packs>([&](auto n) { add_pack(&to.data[n * pack_lanes], load_pack(&pair.data[n * pack_lanes])); });
     }
 
-    std::vector<Numbers> received_; ///< by each local particle from the pairs before its own row
+    std::pmr::monotonic_buffer_resource memory_;
+    std::pmr::vector<Numbers> received_; ///< by each local particle from the pairs before its own row
     std::vector<Numbers> of_pairs_;
 };
 

@@ -115,7 +115,8 @@ template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
 template<int D> void FluidStep<D>::second_pass(const RowSet& rows)
 {
     const auto part = measure("pass 2: fluxes", Work::pair);
-    add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_);
+    const auto scratch = std::as_writable_bytes(std::span(gradient_sums_)); // their slopes are made
+    add_fluid_fluid_flux(evaluation_.rates, evaluation_.fluxes, records_, in_reach_.reached(), rows, model_, scratch);
     for (const auto& term : terms_)
         term->add(evaluation_.rates, evaluation_.viscous, records_, in_reach_.reached(), rows);
 }
