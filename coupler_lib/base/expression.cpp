@@ -12,7 +12,7 @@
 namespace base {
 namespace {
 
-std::string quoted(const Formula& formula)
+std::string quoted_formula(const Formula& formula)
 {
     return (formula.where.empty() ? "" : formula.where + ": ") + "the formula \"" + formula.text + "\"";
 }
@@ -27,12 +27,12 @@ std::string list(const std::vector<std::string>& names)
 [[noreturn]] void fail_at(const Formula& formula, std::size_t position, const std::string& message,
                           const std::vector<std::string>& variables)
 {
-    throw Error(ExitCode::bad_input, text(quoted(formula), " cannot be read at position ", position + 1, ": ", message,
-                                          "; variables here: ", list(variables)));
+    throw Error(ExitCode::bad_input, text(quoted_formula(formula), " cannot be read at position ", position + 1, ": ",
+                                          message, "; variables here: ", list(variables)));
 }
 
 /// muParser's words without its own "at position 4.", which counts from 0.
-std::string words_of(const mu::ParserError& error)
+std::string complaint(const mu::ParserError& error)
 {
     const std::string& message = error.GetMsg();
     return message.substr(0, std::min(message.find(" at position"), message.find_last_not_of(". ") + 1));
@@ -102,7 +102,7 @@ Expression::Expression(const Formula& formula, std::vector<std::string> variable
         engine.parser.SetExpr(formula.text);
         engine.parser.Eval();
     } catch (const mu::ParserError& error) {
-        fail_at(formula, static_cast<std::size_t>(std::max(error.GetPos(), 0)), words_of(error), engine.variables);
+        fail_at(formula, static_cast<std::size_t>(std::max(error.GetPos(), 0)), complaint(error), engine.variables);
     }
     if (engine.parser.GetNumResults() != 1)
         fail_at(formula, formula.text.find(','), "a comma separates two values, one is wanted", engine.variables);
@@ -122,7 +122,7 @@ double Expression::operator()(const std::vector<double>& values) const
     std::string at;
     for (std::size_t k = 0; k < values.size(); ++k)
         at += fmt::format("{}{} = {}", k ? ", " : " at ", engine.variables[k], values[k]);
-    throw Error(ExitCode::bad_input, text(quoted(engine.formula), " has no finite value", at));
+    throw Error(ExitCode::bad_input, text(quoted_formula(engine.formula), " has no finite value", at));
 }
 
 bool Expression::uses(const std::string& variable) const { return engine_->parser.GetUsedVar().contains(variable); }

@@ -29,8 +29,8 @@ InterfaceConfig interface_with(const rivage_participant& of, const char* partner
                       base::text("'", of.member.role(), "' has no interface with '", partner, "' in coupling.toml"));
 }
 
-InterfaceSettings settings_of(const rivage_participant& of, const InterfaceConfig& interface, double impedance,
-                              double limit)
+InterfaceSettings interface_settings(const rivage_participant& of, const InterfaceConfig& interface, double impedance,
+                                     double limit)
 {
     InterfaceSettings settings = interface.settings(of.member.role());
     settings.impedance = impedance;
@@ -44,7 +44,7 @@ InterfaceSettings settings_of(const rivage_participant& of, const InterfaceConfi
 
 rivage_fluid::rivage_fluid(rivage_participant& of, const InterfaceConfig& interface, int dimension, double impedance,
                            double pressure_limit, const char* output_dir)
-    : exchange(of.member, c_api::settings_of(of, interface, impedance, pressure_limit), dimension)
+    : exchange(of.member, c_api::interface_settings(of, interface, impedance, pressure_limit), dimension)
 {
     if (!output_dir || !of.member.comm().is_root()) return;
     std::error_code error;

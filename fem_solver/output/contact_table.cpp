@@ -4,7 +4,7 @@
 namespace fem {
 namespace {
 
-std::vector<std::string> header(int dimension, const std::vector<std::string>& groups)
+std::vector<std::string> contact_columns(int dimension, const std::vector<std::string>& groups)
 {
     std::vector<std::string> columns{"t[s]"};
     const std::string force = dimension == 2 ? "[N/m]" : "[N]";
@@ -21,7 +21,7 @@ std::vector<std::string> header(int dimension, const std::vector<std::string>& g
 } // namespace
 
 ContactTable::ContactTable(const std::string& folder, int dimension, const std::vector<std::string>& groups)
-    : dimension_(dimension), file_(folder + "/contact.csv", header(dimension, groups))
+    : dimension_(dimension), file_(folder + "/contact.csv", contact_columns(dimension, groups))
 {}
 
 void ContactTable::write(double time, const std::vector<ContactResultants>& rows)

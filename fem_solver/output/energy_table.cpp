@@ -4,8 +4,8 @@
 namespace fem {
 namespace {
 
-std::vector<std::string> header(int dimension, const std::vector<std::string>& loads,
-                                const std::vector<std::string>& supports)
+std::vector<std::string> energy_columns(int dimension, const std::vector<std::string>& loads,
+                                        const std::vector<std::string>& supports)
 {
     std::vector<std::string> columns{"t[s]", "dt[s]"};
     for (const char* name :
@@ -24,7 +24,7 @@ EnergyTable::EnergyTable(const std::string& folder, int dimension, const std::ve
                          const std::vector<std::string>& supports)
     : loads_(loads.size()),
       supports_(supports.size()),
-      file_(folder + "/energy.csv", header(dimension, loads, supports))
+      file_(folder + "/energy.csv", energy_columns(dimension, loads, supports))
 {}
 
 void EnergyTable::write(double time, double dt, const SolidEnergies& e)

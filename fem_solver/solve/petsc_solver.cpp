@@ -7,8 +7,6 @@
 namespace fem {
 namespace {
 
-using Method = PetscSettings::Method;
-
 constexpr const char* prefix = "solver_";
 
 void add_options(const std::string& options)
@@ -40,13 +38,13 @@ void PetscSolver::make_solver()
     require_petsc(KSPCreate(petsc_comm(*dofs_), &solver_), "make a solver");
     PC preconditioner = nullptr;
     KSPGetPC(solver_, &preconditioner);
-    if (settings_.method == Method::mumps) {
+    if (settings_.method == PetscSettings::Method::mumps) {
         KSPSetType(solver_, KSPPREONLY);
         PCSetType(preconditioner, PCLU);
         PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS);
     } else {
         KSPSetTolerances(solver_, settings_.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, 1000);
-        settings_.method == Method::cg_jacobi ? choose_conjugate_gradients() : choose_multigrid();
+        settings_.method == PetscSettings::Method::cg_jacobi ? choose_conjugate_gradients() : choose_multigrid();
     }
     KSPSetOptionsPrefix(solver_, prefix);
     require_petsc(KSPSetFromOptions(solver_), "take its options ([linear_solver] options)");
@@ -63,7 +61,7 @@ void PetscSolver::choose_conjugate_gradients()
 
 void PetscSolver::choose_multigrid()
 {
-    const bool gamg = settings_.method == Method::gmres_gamg;
+    const bool gamg = settings_.method == PetscSettings::Method::gmres_gamg;
     PC preconditioner = nullptr;
     KSPGetPC(solver_, &preconditioner);
     KSPSetType(solver_, KSPGMRES);

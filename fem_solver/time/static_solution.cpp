@@ -6,7 +6,7 @@
 namespace fem {
 namespace {
 
-constexpr int max_halvings = 12;
+constexpr int max_load_halvings = 12;
 /// Part of a load step below which its strides are not cut further.
 constexpr double shortest_stride = 1.0 / 64;
 /// A correction beyond this many times the body's size means that nothing holds the body.
@@ -136,7 +136,7 @@ bool StaticSolution::apply(Motion& motion, const Eigen::VectorXd& correction, do
         const Inversion inversion = model_.evaluate(motion, factor, forces_now_, time(factor));
         if (!inversion.happened()) return true;
         failure_ = {Failure::Kind::inversion, inversion};
-        if (halvings == max_halvings) return false;
+        if (halvings == max_load_halvings) return false;
         scale *= 0.5;
         motion.displacement -= scale * correction;
     }

@@ -10,8 +10,6 @@
 namespace sph {
 namespace {
 
-template<int D> Vec<D> to_vec(const std::vector<double>& numbers) { return Eigen::Map<const Vec<D>>(numbers.data()); }
-
 template<int D> using Bodies = std::vector<std::unique_ptr<WaterBody<D>>>;
 
 /// Two boxes that share more than a sliver of space would start with particles on top of each other.

@@ -7,7 +7,7 @@
 namespace sph {
 namespace {
 
-constexpr double cos_opposite = -0.5; // a footprint goes round edges, not to the far side of a plate
+constexpr double cos_far_side = -0.5; // a footprint goes round edges, not to the far side of a plate
 constexpr double samples_per_radius = 3.0;
 
 /// Calls visit(shape functions) for the samples of a facet cut in n parts along each edge; all stand for the same measure.
@@ -76,7 +76,7 @@ template<int D> void FootprintFinder<D>::gather_sheet(const MirrorPlane<D>& plan
     for (std::size_t head = 0; head < sheet_.size(); ++head)
         for (const int other : touching_.of(sheet_[head])) {
             if (!facets_.is_wet(other) || std::find(sheet_.begin(), sheet_.end(), other) != sheet_.end()) continue;
-            if (facets_.normal(other).dot(normal) < cos_opposite) continue;
+            if (facets_.normal(other).dot(normal) < cos_far_side) continue;
             const auto closest = base::closest_point(facets_.corners(other), plane.point);
             if (closest.squared_distance < radius_ * radius_) sheet_.push_back(other);
         }

@@ -16,7 +16,7 @@ double value(const std::string& formula, double x = 0.0, double y = 0.0)
     return Expression({formula, ""}, {"x", "y"})({x, y});
 }
 
-std::string error_of(const std::string& formula, double x = 0.0)
+std::string error_of_formula(const std::string& formula, double x = 0.0)
 {
     try {
         Expression({formula, "fluid.toml:7:1"}, {"x", "y"})({x, 1.0});
@@ -57,24 +57,24 @@ TEST(Expression, KnowsItsVariables)
 
 TEST(Expression, ErrorsNamePlaceTextPositionAndVariables)
 {
-    const std::string unknown = error_of("1 + sinn(z)");
+    const std::string unknown = error_of_formula("1 + sinn(z)");
     EXPECT_NE(unknown.find("fluid.toml:7:1"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("\"1 + sinn(z)\""), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("position 5"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("variables here: x, y"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("position 5: Unexpected token \"sinn\" found;"), std::string::npos) << unknown;
-    EXPECT_NE(error_of("(1 + x").find("cannot be read"), std::string::npos);
-    EXPECT_NE(error_of("").find("cannot be read"), std::string::npos);
-    EXPECT_NE(error_of("x = 3").find("position 3"), std::string::npos);
-    EXPECT_NE(error_of("1, 2").find("position 2"), std::string::npos);
-    EXPECT_EQ(error_of("x <= 3 && y != 2 && x == 0"), "");
+    EXPECT_NE(error_of_formula("(1 + x").find("cannot be read"), std::string::npos);
+    EXPECT_NE(error_of_formula("").find("cannot be read"), std::string::npos);
+    EXPECT_NE(error_of_formula("x = 3").find("position 3"), std::string::npos);
+    EXPECT_NE(error_of_formula("1, 2").find("position 2"), std::string::npos);
+    EXPECT_EQ(error_of_formula("x <= 3 && y != 2 && x == 0"), "");
 }
 
 TEST(Expression, NoFiniteValueIsAnErrorWithTheValues)
 {
-    const std::string root = error_of("sqrt(x)", -4.0);
+    const std::string root = error_of_formula("sqrt(x)", -4.0);
     EXPECT_NE(root.find("no finite value at x = -4, y = 1"), std::string::npos) << root;
-    EXPECT_NE(error_of("1/x").find("no finite value"), std::string::npos);
+    EXPECT_NE(error_of_formula("1/x").find("no finite value"), std::string::npos);
 }
 
 struct Field {

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 std::string scratch(const std::string& name) { return (std::filesystem::temp_directory_path() / name).string(); }
 
-std::string error_of(const std::function<void()>& action)
+std::string refusal_of(const std::function<void()>& action)
 {
     try {
         action();
@@ -30,7 +30,7 @@ std::string error_of(const std::function<void()>& action)
 }
 
 /// gap_slope and normal_slope against difference quotients.
-void expect_exact_derivatives(const Ground& ground, const Vector3d& x)
+void expect_exact_slopes(const Ground& ground, const Vector3d& x)
 {
     const double h = 1e-6;
     const GroundPoint here = ground.at(x);
@@ -97,7 +97,7 @@ TEST(SurfaceGround, HasExactDerivativesOverFacesEdgesAndCorners)
     const auto ground = make_surface_ground(cube(), "cube");
     for (const Vector3d& x : {Vector3d(0.3, 0.4, 1.2), Vector3d(0.3, 0.45, 0.9), Vector3d(1.2, 0.4, 1.3),
                               Vector3d(1.2, 1.4, 1.3), Vector3d(0.5, 0.5, 1.1)})
-        expect_exact_derivatives(*ground, x);
+        expect_exact_slopes(*ground, x);
     EXPECT_EQ(ground->at({0.5, 0.5, 1.1}).normal_slope.norm(), 0); // over the seam between two triangles of a face
 }
 
@@ -155,9 +155,9 @@ TEST(SurfaceGround, RefusesWhatIsNoSurface)
 {
     const Vector3d a(0, 0, 0), b(1, 0, 0);
     const auto fan = join({{a, b, Vector3d(0, 1, 0)}, {a, b, Vector3d(0, 0, 1)}, {a, b, Vector3d(0, -1, 0)}});
-    EXPECT_NE(error_of([&] { make_surface_ground(fan, "fan.stl"); }).find("3 triangles share the edge"),
+    EXPECT_NE(refusal_of([&] { make_surface_ground(fan, "fan.stl"); }).find("3 triangles share the edge"),
               std::string::npos);
-    EXPECT_NE(error_of([] { make_surface_ground({}, "empty.stl"); }).find("empty.stl"), std::string::npos);
+    EXPECT_NE(refusal_of([] { make_surface_ground({}, "empty.stl"); }).find("empty.stl"), std::string::npos);
 }
 
 TEST(PolylineGround, HasTheGroundOnItsRight)
@@ -168,9 +168,9 @@ TEST(PolylineGround, HasTheGroundOnItsRight)
     EXPECT_NEAR(ground->at({-0.5, 0.2, 0}).gap, 0.2, 1e-15);
     EXPECT_NEAR(ground->at({2, 0.9, 0}).gap, -0.1, 1e-15);
     EXPECT_NEAR(ground->at({0.5, 0.7, 0}).gap, 0.2 / std::sqrt(2), 1e-15);
-    expect_exact_derivatives(*ground, {0.95, 1.3, 0}); // around the convex corner
+    expect_exact_slopes(*ground, {0.95, 1.3, 0}); // around the convex corner
     std::ofstream(path) << "x[m],y[m]\n0,0\n0,0\n";
-    EXPECT_NE(error_of([&] { make_polyline_ground(path); }).find("are the same"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { make_polyline_ground(path); }).find("are the same"), std::string::npos);
     std::filesystem::remove(path);
 }
 
@@ -193,9 +193,9 @@ TEST(HeightFile, MayBeHdf5)
     const auto table = make_height_table(path, 3);
     EXPECT_NEAR(table->at(0.2, -0.1).value, height(0.2, -0.1), 1e-15);
     EXPECT_NEAR(table->at(0.25, -0.1).slope[0], 0.1, 1e-12);
-    EXPECT_NE(error_of([&] { make_height_table(path, 2); }).find("height has 5 x 4 entries"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { make_height_table(path, 2); }).find("height has 5 x 4 entries"), std::string::npos);
     std::filesystem::remove(path);
-    EXPECT_NE(error_of([&] { make_height_table(path, 3); }).find(path), std::string::npos);
+    EXPECT_NE(refusal_of([&] { make_height_table(path, 3); }).find(path), std::string::npos);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ double nominal_stress(const Law& law, double stretch)
 
 class RubberLaws : public testing::TestWithParam<Law> {};
 
-template<int D> void expect_consistent(const Law& law, const Tensor<D>& f)
+template<int D> void expect_consistent_law(const Law& law, const Tensor<D>& f)
 {
     const auto point = make_point_law<D>(law);
     fem_test::expect_consistent<D>(*point, f, point->shear_modulus());
@@ -43,8 +43,8 @@ TEST_P(RubberLaws, StressIsTheSlopeOfTheEnergyAndTangentThatOfTheStress)
 {
     Eigen::Matrix3d f;
     f << 1.2, 0.3, 0.1, -0.15, 0.9, 0.2, 0.05, -0.1, 1.1;
-    expect_consistent<3>(GetParam(), f);
-    expect_consistent<2>(GetParam(), f.topLeftCorner<2, 2>());
+    expect_consistent_law<3>(GetParam(), f);
+    expect_consistent_law<2>(GetParam(), f.topLeftCorner<2, 2>());
 }
 
 /// Two and three equal stretches, where the principal directions are not unique.
@@ -52,8 +52,8 @@ TEST_P(RubberLaws, EqualStretchesAreNoSpecialCase)
 {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     const Eigen::Matrix3d two = turn * Eigen::Vector3d(1.3, 1.3, 0.8).asDiagonal();
-    expect_consistent<3>(GetParam(), two);
-    expect_consistent<3>(GetParam(), 1.05 * turn);
+    expect_consistent_law<3>(GetParam(), two);
+    expect_consistent_law<3>(GetParam(), 1.05 * turn);
     const Eigen::Matrix3d close = turn * Eigen::Vector3d(1.3, 1.3 + 1e-5, 0.8).asDiagonal();
     EXPECT_LT((make_point_law<3>(GetParam())->tangent(close) - make_point_law<3>(GetParam())->tangent(two)).norm(),
               1e-4 * bulk);

@@ -62,7 +62,7 @@ template<int D> struct AtFirst {
     Tangent<D> tangent(const Tensor<D>& f) const { return law.tangent(0, f); }
 };
 
-template<int D> void expect_consistent(const ShapeLaw<D>& law, const Tensor<D>& f)
+template<int D> void expect_consistent_shape(const ShapeLaw<D>& law, const Tensor<D>& f)
 {
     fem_test::expect_consistent<D>(AtFirst<D>{law}, f, 2e6);
 }
@@ -71,8 +71,8 @@ TEST(ShapeLaw, BelowThePeakStressIsTheSlopeOfTheEnergyAndTangentThatOfTheStress)
 {
     Eigen::Matrix3d f;
     f << 1.2, 0.1, 0.05, -0.08, 0.9, 0.1, 0.05, -0.1, 1.02;
-    expect_consistent<3>(worn<3>(), f);
-    expect_consistent<2>(worn<2>(), f.topLeftCorner<2, 2>());
+    expect_consistent_shape<3>(worn<3>(), f);
+    expect_consistent_shape<2>(worn<2>(), f.topLeftCorner<2, 2>());
 }
 
 TEST(ShapeLaw, WithoutSofteningIsTheLawItself)

@@ -15,7 +15,7 @@ struct Swing {
     double first = 0, second = 0; ///< largest ux of the tip, first and second swing [m]
 };
 
-Swing swing(double dt, const Softening& softening)
+Swing let_swing(double dt, const Softening& softening)
 {
     const Gate gate(ElementType::quad9, rubber(), {}, {1, 6});
     SolidForces forces(gate.mesh, {rubber(), 1100, Sheet::plane_strain, softening}, {});
@@ -44,7 +44,7 @@ Swing swing(double dt, const Softening& softening)
 TEST(SofteningGate, LosesInTheMaterialWhatTheLoadGaveIt)
 {
     const Softening softening{2, 50, 0.1};
-    const Swing coarse = swing(1e-3, softening), fine = swing(5e-4, softening), elastic = swing(1e-3, {});
+    const Swing coarse = let_swing(1e-3, softening), fine = let_swing(5e-4, softening), elastic = let_swing(1e-3, {});
     EXPECT_EQ(elastic.end.material, 0);
     EXPECT_GT(fine.end.material, 0.02 * fine.end.strain);
     EXPECT_NEAR(fine.end.material, coarse.end.material, 0.02 * fine.end.material); // of the path, not of the step

@@ -8,7 +8,7 @@
 namespace sph {
 namespace {
 
-const Tait water{1000.0, 30.0};
+const Tait tait{1000.0, 30.0};
 
 template<int D> PrimitiveState<D> random_state(sample::Noise& noise)
 {
@@ -35,8 +35,8 @@ template<int D, class Limiter> void expect_opposite_fluxes(Limiter limiter)
     for (int k = 0; k < 500; ++k) {
         const auto i = random_state<D>(noise), j = random_state<D>(noise);
         const Vec<D> x_ij = random_vector<D>(noise, 0.01);
-        const auto seen_by_i = pair_flux<D>(i, j, x_ij, water, limiter, false);
-        const auto seen_by_j = pair_flux<D>(j, i, Vec<D>(-x_ij), water, limiter, false);
+        const auto seen_by_i = pair_flux<D>(i, j, x_ij, tait, limiter, false);
+        const auto seen_by_j = pair_flux<D>(j, i, Vec<D>(-x_ij), tait, limiter, false);
         EXPECT_EQ(seen_by_i.mass_flux, -seen_by_j.mass_flux);
         EXPECT_EQ(seen_by_i.pressure, seen_by_j.pressure);
         EXPECT_EQ(seen_by_i.momentum_flux, -seen_by_j.momentum_flux);
@@ -57,8 +57,8 @@ TEST(PairFlux, FluidInUniformMotionOnlyPushes)
     PrimitiveState<3> state;
     state.density = 1003.0;
     state.velocity = {1.5, -2.0, 0.25};
-    const auto flux = pair_flux<3>(state, state, Vec<3>(0.01, 0.003, -0.002), water, VanAlbada{}, false);
-    EXPECT_NEAR(flux.pressure, water.pressure(1003.0), 1e-8);
+    const auto flux = pair_flux<3>(state, state, Vec<3>(0.01, 0.003, -0.002), tait, VanAlbada{}, false);
+    EXPECT_NEAR(flux.pressure, tait.pressure(1003.0), 1e-8);
     EXPECT_EQ(flux.mass_flux, 0.0);
     EXPECT_EQ(flux.momentum_flux.norm(), 0.0);
 }
@@ -76,8 +76,8 @@ TEST(PairFlux, LinearFieldIsReconstructedWithoutJump)
     i.velocity = {0.5, 0.1};
     j.density = i.density + i.density_gradient.dot(x_ij);
     j.velocity = i.velocity + i.velocity_gradient * x_ij;
-    const auto flux = pair_flux<2>(i, j, x_ij, water, VanAlbada{}, false);
-    EXPECT_NEAR(flux.pressure, water.pressure(0.5 * (i.density + j.density)), 1e-7);
+    const auto flux = pair_flux<2>(i, j, x_ij, tait, VanAlbada{}, false);
+    EXPECT_NEAR(flux.pressure, tait.pressure(0.5 * (i.density + j.density)), 1e-7);
     EXPECT_NEAR(flux.mass_flux, 0.0, 1e-10);
 }
 
@@ -88,13 +88,13 @@ TEST(PairFlux, TurnsWithTheFrame)
     for (int k = 0; k < 100; ++k) {
         auto i = random_state<3>(noise), j = random_state<3>(noise);
         const Vec<3> x_ij = random_vector<3>(noise, 0.01);
-        const auto flux = pair_flux<3>(i, j, x_ij, water, VanAlbada{}, false);
+        const auto flux = pair_flux<3>(i, j, x_ij, tait, VanAlbada{}, false);
         for (auto* state : {&i, &j}) {
             state->velocity = turn * state->velocity;
             state->density_gradient = turn * state->density_gradient;
             state->velocity_gradient = turn * state->velocity_gradient * turn.transpose();
         }
-        const auto turned = pair_flux<3>(i, j, Vec<3>(turn * x_ij), water, VanAlbada{}, false);
+        const auto turned = pair_flux<3>(i, j, Vec<3>(turn * x_ij), tait, VanAlbada{}, false);
         EXPECT_NEAR(turned.pressure, flux.pressure, 1e-6);
         EXPECT_NEAR(turned.mass_flux, flux.mass_flux, 1e-8 * std::abs(flux.mass_flux) + 1e-8);
         EXPECT_LT((turned.momentum_flux - turn * flux.momentum_flux).norm(), 1e-7);
@@ -115,8 +115,8 @@ TEST(PairFlux, PlaneFlowIsTheSameIn2DAnd3D)
             state.velocity_gradient.topLeftCorner<2, 2>() = plane.velocity_gradient;
             return state;
         };
-        const auto flat = pair_flux<2>(i, j, x_ij, water, VanAlbada{}, false);
-        const auto deep = pair_flux<3>(lift(i), lift(j), Vec<3>(x_ij[0], x_ij[1], 0.0), water, VanAlbada{}, false);
+        const auto flat = pair_flux<2>(i, j, x_ij, tait, VanAlbada{}, false);
+        const auto deep = pair_flux<3>(lift(i), lift(j), Vec<3>(x_ij[0], x_ij[1], 0.0), tait, VanAlbada{}, false);
         EXPECT_DOUBLE_EQ(deep.pressure, flat.pressure);
         EXPECT_LT((deep.momentum_flux.head<2>() - flat.momentum_flux).norm(), 1e-12 * flat.momentum_flux.norm());
     }
@@ -129,7 +129,7 @@ TEST(PairFlux, MassCarriesTheTangentialVelocityOfTheSideItLeaves)
     j.density = 1000.0;
     i.velocity = {0.0, 3.0};
     j.velocity = {0.0, -1.0};
-    const auto flux = pair_flux<2>(i, j, Vec<2>(0.01, 0.0), water, FirstOrder{}, false);
+    const auto flux = pair_flux<2>(i, j, Vec<2>(0.01, 0.0), tait, FirstOrder{}, false);
     EXPECT_GT(flux.mass_flux, 0.0);
     EXPECT_DOUBLE_EQ(flux.momentum_flux[1], 3.0 * flux.mass_flux);
 }
@@ -139,10 +139,10 @@ TEST(PairFlux, NothingPassesAWall)
     sample::Noise noise(8);
     const auto i = random_state<2>(noise), j = random_state<2>(noise);
     const Vec<2> x_ij(0.01, 0.002);
-    const auto wall = pair_flux<2>(i, j, x_ij, water, VanAlbada{}, true);
+    const auto wall = pair_flux<2>(i, j, x_ij, tait, VanAlbada{}, true);
     EXPECT_EQ(wall.mass_flux, 0.0);
     EXPECT_EQ(wall.momentum_flux.norm(), 0.0);
-    EXPECT_EQ(wall.pressure, pair_flux<2>(i, j, x_ij, water, VanAlbada{}, false).pressure);
+    EXPECT_EQ(wall.pressure, pair_flux<2>(i, j, x_ij, tait, VanAlbada{}, false).pressure);
 }
 
 } // namespace

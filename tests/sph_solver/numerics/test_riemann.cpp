@@ -7,14 +7,14 @@
 namespace sph {
 namespace {
 
-const Tait water{1000.0, 30.0};
+const Tait liquid{1000.0, 30.0};
 
 /// Velocity change across the wave that leads from state K to rho: the textbook formulas, nothing shared with the
 /// solver.
 double wave(double rho, double rho_k)
 {
-    const double p = water.stiffness() * (std::pow(rho / 1000.0, 7) - 1),
-                 p_k = water.stiffness() * (std::pow(rho_k / 1000.0, 7) - 1);
+    const double p = liquid.stiffness() * (std::pow(rho / 1000.0, 7) - 1),
+                 p_k = liquid.stiffness() * (std::pow(rho_k / 1000.0, 7) - 1);
     if (rho > rho_k) return std::sqrt((p - p_k) * (1 / rho_k - 1 / rho)); // Rankine-Hugoniot
     return 30.0 * (std::pow(rho / 1000.0, 3) - std::pow(rho_k / 1000.0, 3)) /
            3; // Riemann invariant, 2 (c - c_k) / (gamma - 1)
@@ -29,7 +29,7 @@ RiemannSolution bisect(const RiemannState& left, const RiemannState& right)
         (wave(middle, left.rho) + wave(middle, right.rho) + right.u - left.u > 0 ? high : low) = middle;
     }
     const double rho = 0.5 * (low + high);
-    return {rho, 0.5 * (left.u + right.u + wave(rho, right.rho) - wave(rho, left.rho)), water.pressure(rho)};
+    return {rho, 0.5 * (left.u + right.u + wave(rho, right.rho) - wave(rho, left.rho)), liquid.pressure(rho)};
 }
 
 double pressure_error(double largest_jump)
@@ -39,7 +39,7 @@ double pressure_error(double largest_jump)
         for (const double rho_l : {985.0, 1000.0, 1015.0})
             for (const double rho_r : {990.0, 1000.0, 1010.0}) {
                 const RiemannState left{rho_l, 0.5 * jump * 30.0}, right{rho_r, -0.5 * jump * 30.0};
-                const auto exact = bisect(left, right), found = solve_riemann(left, right, water);
+                const auto exact = bisect(left, right), found = solve_riemann(left, right, liquid);
                 error = std::max(error, std::abs(found.p - exact.p) / (1000.0 * 900.0));
                 error = std::max(error, std::abs(found.u - exact.u) / 30.0);
             }
@@ -56,18 +56,18 @@ TEST(Riemann, AgreesWithBisection)
 TEST(Riemann, EqualStatesStay)
 {
     for (const double rho : {900.0, 1000.0, 1100.0}) {
-        const auto star = solve_riemann({rho, 2.5}, {rho, 2.5}, water);
+        const auto star = solve_riemann({rho, 2.5}, {rho, 2.5}, liquid);
         EXPECT_NEAR(star.rho, rho, 1e-12 * rho);
         EXPECT_NEAR(star.u, 2.5, 1e-14);
-        EXPECT_NEAR(star.p, water.pressure(rho), 1e-9);
+        EXPECT_NEAR(star.p, liquid.pressure(rho), 1e-9);
     }
 }
 
 TEST(Riemann, MirrorGivesTheSamePressureAndTheOppositeVelocity)
 {
     for (const double jump : {-8.0, -0.3, 0.01, 1.7, 15.0}) {
-        const auto star = solve_riemann({1011.0, jump}, {996.5, 0.123}, water);
-        const auto mirror = solve_riemann({996.5, -0.123}, {1011.0, -jump}, water);
+        const auto star = solve_riemann({1011.0, jump}, {996.5, 0.123}, liquid);
+        const auto mirror = solve_riemann({996.5, -0.123}, {1011.0, -jump}, liquid);
         EXPECT_EQ(star.rho, mirror.rho);
         EXPECT_EQ(star.p, mirror.p);
         EXPECT_EQ(star.u, -mirror.u);
@@ -76,8 +76,8 @@ TEST(Riemann, MirrorGivesTheSamePressureAndTheOppositeVelocity)
 
 TEST(Riemann, CommonVelocityOnlyShiftsTheSolution)
 {
-    const auto star = solve_riemann({1011.0, 1.0}, {996.5, -0.5}, water);
-    const auto shifted = solve_riemann({1011.0, 1.0 + 64.0}, {996.5, -0.5 + 64.0}, water); // exact in binary
+    const auto star = solve_riemann({1011.0, 1.0}, {996.5, -0.5}, liquid);
+    const auto shifted = solve_riemann({1011.0, 1.0 + 64.0}, {996.5, -0.5 + 64.0}, liquid); // exact in binary
     EXPECT_NEAR(shifted.p, star.p, 1e-9);
     EXPECT_NEAR(shifted.u, star.u + 64.0, 1e-13);
 }
@@ -85,9 +85,9 @@ TEST(Riemann, CommonVelocityOnlyShiftsTheSolution)
 TEST(Riemann, StrongRarefactionsStayAboveVacuum)
 {
     for (const double u : {5.0, 10.0, 20.0, 100.0, 1000.0}) {
-        const auto star = solve_riemann({1000.0, -u}, {1000.0, u}, water);
+        const auto star = solve_riemann({1000.0, -u}, {1000.0, u}, liquid);
         EXPECT_GT(star.rho, 0.0);
-        EXPECT_GE(star.p, -water.stiffness());
+        EXPECT_GE(star.p, -liquid.stiffness());
         EXPECT_EQ(star.u, 0.0);
     }
 }
@@ -95,7 +95,7 @@ TEST(Riemann, StrongRarefactionsStayAboveVacuum)
 TEST(Riemann, StrongShocksStayFinite)
 {
     for (const double u : {15.0, 30.0, 60.0}) {
-        const auto star = solve_riemann({1000.0, u}, {1000.0, -u}, water);
+        const auto star = solve_riemann({1000.0, u}, {1000.0, -u}, liquid);
         const auto exact = bisect({1000.0, u}, {1000.0, -u});
         EXPECT_NEAR(star.rho, exact.rho, 0.01 * exact.rho) << "closing speed over c0: " << 2 * u / 30.0;
     }
@@ -117,8 +117,8 @@ TEST(Riemann, PackGivesTheSameBits)
 template<class Solver> double pressure_error(double jump)
 {
     const FaceStates<double> face{1.0, 0.5 * jump, 1.0, -0.5 * jump};
-    return std::abs(water.pressure_at_ratio(Solver{}(face).q) - water.pressure_at_ratio(ExactRiemann{}(face).q)) /
-           (water.rho0 * water.c0 * water.c0);
+    return std::abs(liquid.pressure_at_ratio(Solver{}(face).q) - liquid.pressure_at_ratio(ExactRiemann{}(face).q)) /
+           (liquid.rho0 * liquid.c0 * liquid.c0);
 }
 
 TEST(Riemann, SimplerSolversAgreeForWeakWavesAndDifferForStrongOnes)

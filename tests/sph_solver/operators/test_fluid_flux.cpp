@@ -12,7 +12,7 @@
 namespace sph {
 namespace {
 
-constexpr double dx = 0.01;
+using sample::dx;
 
 /// A jittered lattice in rough motion, with one evaluation of the fluid's operators.
 template<int D> struct RoughFlow {

@@ -11,7 +11,7 @@
 namespace sph {
 namespace {
 
-constexpr double dx = 0.01;
+using sample::dx;
 
 template<int D> FluidModel<D> model()
 {

@@ -9,7 +9,7 @@
 namespace sph {
 namespace {
 
-constexpr double dx = 0.01;
+using sample::dx;
 
 /// A lattice that has been stretched along x and pressed along y, in a linear flow, evaluated on renormalised areas.
 template<int D> struct StretchedFlow {
@@ -81,7 +81,7 @@ TEST(PairArea, KeepsVolumesTrueOnAStretchedLattice)
     expect_true_volumes<3>();
 }
 
-template<int D> void expect_conservation()
+template<int D> void expect_areas_conserve()
 {
     const StretchedFlow<D> flow(0.2);
     Vec<D> force = Vec<D>::Zero();
@@ -99,8 +99,8 @@ template<int D> void expect_conservation()
 
 TEST(PairArea, KeepsMomentum)
 {
-    expect_conservation<2>();
-    expect_conservation<3>();
+    expect_areas_conserve<2>();
+    expect_areas_conserve<3>();
 }
 
 /// The pressure force and the volumes' rates do opposite work: with one pressure p on all faces, sum v.F = p sum dw/dt.

@@ -10,7 +10,7 @@
 namespace sph {
 namespace {
 
-constexpr double dx = 0.01;
+using sample::dx;
 
 /// A rough square or cube of water that moves with v = A x, evaluated up to its shifts.
 template<int D> struct ShiftedFlow {
@@ -46,7 +46,7 @@ template<int D> Mat<D> shear()
     return slope;
 }
 
-template<int D> void expect_conservation()
+template<int D> void expect_shifts_conserve()
 {
     ShiftedFlow<D> flow(shear<D>());
     flow.records.load_slopes(flow.particles, flow.model, flow.particles.owned);
@@ -70,8 +70,8 @@ template<int D> void expect_conservation()
 
 TEST(Shifting, KeepsMassAndMomentum)
 {
-    expect_conservation<2>();
-    expect_conservation<3>();
+    expect_shifts_conserve<2>();
+    expect_shifts_conserve<3>();
 }
 
 TEST(Shifting, IsGoneInRigidMotion)

@@ -11,7 +11,10 @@ namespace {
 constexpr double mu = 3.0;
 constexpr int side = 12;
 
-template<int D> FluidModel<D> model() { return {CubicSpline<D>(1.23), Tait{1000, 30}, VanAlbada{}, Vec<D>::Zero()}; }
+template<int D> FluidModel<D> plain_model()
+{
+    return {CubicSpline<D>(1.23), Tait{1000, 30}, VanAlbada{}, Vec<D>::Zero()};
+}
 
 /// A square or cube of unit spacing whose velocity along x is a function of y.
 template<int D, class Profile> Particles<D> stream(Profile profile, double jitter)
@@ -34,7 +37,7 @@ template<int D> std::vector<Vec<D>> forces_between(const Particles<D>& particles
     Rates<D> rates;
     rates.reset(particles.size());
     std::vector<Vec<D>> sums(particles.size(), Vec<D>::Zero());
-    ViscousForce<D>(mu, model<D>())
+    ViscousForce<D>(mu, plain_model<D>())
         .add(rates, sums, records, sample::reached_neighbours(particles, 2.46), particles.owned);
     for (std::size_t i = 0; i < particles.size(); ++i) EXPECT_EQ(rates.momentum[i], sums[i]);
     return sums;
@@ -91,7 +94,7 @@ Vec<2> drag_on_wall(bool no_slip)
     WallForces<2> forces;
     forces.on_particle.assign(walls.contacts().contacts.size(), Vec<2>::Zero());
     forces.on_wall.assign(walls.contacts().planes.size(), Vec<2>::Zero());
-    ViscousForce<2>(mu, model<2>()).add_at_walls(forces, images, walls, records);
+    ViscousForce<2>(mu, plain_model<2>()).add_at_walls(forces, images, walls, records);
     Vec<2> drag = Vec<2>::Zero(), back = Vec<2>::Zero();
     for (std::size_t c = 0; c < walls.contacts().contacts.size(); ++c) {
         const WallContact& contact = walls.contacts().contacts[c];

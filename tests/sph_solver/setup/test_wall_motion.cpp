@@ -11,7 +11,7 @@ namespace {
 
 const MotionSpan span{0, 1, 2e-5};
 
-std::string refusal(const WallConfig& wall, int dimension = 2)
+std::string wall_refusal(const WallConfig& wall, int dimension = 2)
 {
     try {
         check_motion(wall, dimension);
@@ -44,23 +44,23 @@ TEST(WallMotion, OfATableGoesThroughItAndMustCoverTheRun)
     EXPECT_NEAR(motion.at(0.5).displacement.y(), 0.02, 1e-16);
     EXPECT_NE(motion.at(0.5).acceleration.y(), 0);
     std::ofstream(path) << "t[s],x[m],y[m]\n0,0,0\n0.5,0.01,0.02\n";
-    EXPECT_NE(refusal(wall).find("the run goes from 0 s to 1 s"), std::string::npos);
+    EXPECT_NE(wall_refusal(wall).find("the run goes from 0 s to 1 s"), std::string::npos);
 }
 
 TEST(WallMotion, RefusesWhatContradictsItself)
 {
     WallConfig wall{.name = "piston"};
     wall.motion.translation = {{"t", ""}};
-    EXPECT_NE(refusal(wall).find("1 formulas, 2 are needed"), std::string::npos);
+    EXPECT_NE(wall_refusal(wall).find("1 formulas, 2 are needed"), std::string::npos);
     wall.motion.translation = {{"t", ""}, {"speed*t", "fluid.toml:7"}};
-    EXPECT_NE(refusal(wall).find("fluid.toml:7"), std::string::npos);
+    EXPECT_NE(wall_refusal(wall).find("fluid.toml:7"), std::string::npos);
     wall.motion.translation = {};
     wall.motion.rotation = {"t", ""};
-    EXPECT_NE(refusal(wall).find("motion.centre"), std::string::npos);
+    EXPECT_NE(wall_refusal(wall).find("motion.centre"), std::string::npos);
     wall.motion.centre = {0, 0};
-    EXPECT_EQ(refusal(wall), "");
+    EXPECT_EQ(wall_refusal(wall), "");
     wall.motion.axis = {1, 0, 0};
-    EXPECT_NE(refusal(wall).find("about the z axis"), std::string::npos);
+    EXPECT_NE(wall_refusal(wall).find("about the z axis"), std::string::npos);
 }
 
 } // namespace

@@ -8,6 +8,9 @@
 
 namespace sph::sample {
 
+/// Spacing of the lattices in the tests of the operators [m].
+inline constexpr double dx = 0.01;
+
 /// Neighbours in reach with the list that they refer to.
 struct HeldNeighbours : ReachedNeighbours {
     std::shared_ptr<const NeighbourList> list;

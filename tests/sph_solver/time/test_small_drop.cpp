@@ -11,20 +11,20 @@
 namespace sph {
 namespace {
 
-constexpr double dx = 0.002, c0 = 30.0;
+constexpr double spacing = 0.002, c0 = 30.0;
 
 /// A cube of side^D particles whose centre rests, v = rate x.
 template<int D> struct Drop {
     Drop(int side, double rate, const std::string& integrator)
-        : model{CubicSpline<D>(1.23 * dx), Tait{1000.0, c0}, VanAlbada{}, Vec<D>::Zero()},
-          search(model.kernel.support(), 0.1 * dx),
+        : model{CubicSpline<D>(1.23 * spacing), Tait{1000.0, c0}, VanAlbada{}, Vec<D>::Zero()},
+          search(model.kernel.support(), 0.1 * spacing),
           domain(comm, search.grid()),
-          walls({.spacing = dx, .support = model.kernel.support()}),
+          walls({.spacing = spacing, .support = model.kernel.support()}),
           step(model, RungeKutta(integrator), {domain, search, walls, outflow, timers}),
           ledger(model),
-          particles(sample::jittered_lattice<D>(side, dx, 0.0, 1000.0))
+          particles(sample::jittered_lattice<D>(side, spacing, 0.0, 1000.0))
     {
-        const Vec<D> centre = Vec<D>::Constant(0.5 * (side - 1) * dx) + particles.position[0];
+        const Vec<D> centre = Vec<D>::Constant(0.5 * (side - 1) * spacing) + particles.position[0];
         for (std::size_t i = 0; i < particles.size(); ++i)
             particles.momentum[i] = particles.mass[i] * rate * (particles.position[i] - centre);
         step.add_observer(ledger);
@@ -49,7 +49,7 @@ template<int D> void expect_no_growth(int side, const char* integrator = "rk2", 
 {
     Drop<D> drop(side, 0.1, integrator);
     const double start = drop.energy();
-    for (int k = 0; k < 400; ++k) drop.step.advance(drop.particles, cfl * 1.23 * dx / c0);
+    for (int k = 0; k < 400; ++k) drop.step.advance(drop.particles, cfl * 1.23 * spacing / c0);
     EXPECT_GT(start, 0.0);
     EXPECT_LE(drop.energy(), start) << side << " particles wide, dimension " << D;
 }

@@ -157,7 +157,7 @@ TEST(Images3D, EndAtTheFreeEdgeOfASheet)
 
 /// Largest change of the images' volume along a straight way in steps of 1/20 dx.
 template<class IsFluid>
-double largest_jump(Walls<3>& walls, const IsFluid& is_fluid, const Vec<3>& from, const Vec<3>& to)
+double largest_jump_3d(Walls<3>& walls, const IsFluid& is_fluid, const Vec<3>& from, const Vec<3>& to)
 {
     const int steps = static_cast<int>(std::ceil((to - from).norm() / 0.05));
     double jump = 0, last = look_around<3>(walls, from, is_fluid, 0.2).volume;
@@ -173,9 +173,9 @@ double largest_jump(Walls<3>& walls, const IsFluid& is_fluid, const Vec<3>& from
 TEST(Images3D, VolumeIsContinuousAroundCornersAndEdges)
 {
     auto outside = cube(false), inside = cube(true);
-    EXPECT_LT(largest_jump(outside, out_of_cube, {-0.5, 2, 2}, {-0.5, -0.6, -0.7}), 0.03);
-    EXPECT_LT(largest_jump(outside, out_of_cube, {2, -0.5, 0.4}, {-0.6, -0.5, 0.4}), 0.03);
-    EXPECT_LT(largest_jump(inside, in_cube, {3, 0.5, 2.6}, {0.4, 0.5, 0.3}), 0.02);
+    EXPECT_LT(largest_jump_3d(outside, out_of_cube, {-0.5, 2, 2}, {-0.5, -0.6, -0.7}), 0.03);
+    EXPECT_LT(largest_jump_3d(outside, out_of_cube, {2, -0.5, 0.4}, {-0.6, -0.5, 0.4}), 0.03);
+    EXPECT_LT(largest_jump_3d(inside, in_cube, {3, 0.5, 2.6}, {0.4, 0.5, 0.3}), 0.02);
 }
 
 /// Both faces of a plate in the plane x = 0 and `thickness`, in y < 0; its other edges far away.
