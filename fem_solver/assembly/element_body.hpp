@@ -33,7 +33,14 @@ private:
     using Point = typename ElementPoints<Shape>::Point;
 
     Tensor<D> deformation(const Point& point, const Nodal& u, int element) const;
-    /// Solves the element's modes for a displacement, so that they carry no force. False when det F <= 0 on the way.
+    void prepare_modes();
+    /// Has the element's modes, where it has any, carry no force. False when det F <= 0 on the way.
+    bool settle(int element, const Nodal& u)
+    {
+        if constexpr (can_enhance)
+            if (enhanced_) return relax_modes(element, u);
+        return true;
+    }
     bool relax_modes(int element, const Nodal& u);
     struct ModeSystem {
         Modes force = Modes::Zero();
@@ -60,25 +67,29 @@ ElementBody<Shape>::ElementBody(const Mesh& mesh, const MatrixPattern& pattern, 
       enhanced_(can_enhance && settings.formulation == Formulation::enhanced),
       points_(mesh, settings.full_integration ? Shape::full_gauss : Shape::gauss)
 {
-    if (!enhanced_) return;
+    if constexpr (can_enhance)
+        if (enhanced_) prepare_modes();
+}
+
+template<class Shape> void ElementBody<Shape>::prepare_modes()
+{
     const Eigen::Matrix<double, D, 1> centre = Eigen::Matrix<double, D, 1>::Zero();
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal x = points_.positions(e);
-        const Modes jacobian_0 = x * Shape::gradients(centre).transpose();
+        const Modes jacobian_0 = points_.times_transposed(x, Shape::gradients(centre));
         for (int q = 0; q < points_.count(); ++q) {
             const auto& gauss = points_.rule()[q];
-            const double det = (x * Shape::gradients(gauss.xi).transpose()).determinant();
+            const double det = points_.times_transposed(x, Shape::gradients(gauss.xi)).determinant();
             points_.of(e)[q].enhanced = enhanced_gradients<D>(gauss.xi, jacobian_0, jacobian_0.determinant() / det);
         }
     }
-    modes_.assign(mesh.elements(), Modes::Zero());
+    modes_.assign(points_.elements(), Modes::Zero());
 }
 
 template<class Shape>
 auto ElementBody<Shape>::deformation(const Point& point, const Nodal& u, int element) const -> Tensor<D>
 {
-    Tensor<D> f = Tensor<D>::Identity();
-    f.noalias() += u.lazyProduct(point.gradient.transpose());
+    Tensor<D> f = Tensor<D>::Identity() + points_.times_transposed(u, point.gradient);
     if constexpr (can_enhance)
         if (enhanced_) f += modes_[element] * point.enhanced.transpose();
     return f;
@@ -132,7 +143,7 @@ Inversion ElementBody<Shape>::add_internal_force(const Eigen::VectorXd& displace
 {
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
-        if (enhanced_ && !relax_modes(e, u)) return {e, 0};
+        if (!settle(e, u)) return {e, 0};
         Nodal nodal = Nodal::Zero();
         for (const Point& p : points_.of(e)) {
             const Tensor<D> f = deformation(p, u, e);
@@ -149,7 +160,7 @@ template<class Shape> void ElementBody<Shape>::add_stiffness(const Eigen::Vector
 {
     for (int e = 0; e < points_.elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
-        if (enhanced_) relax_modes(e, u);
+        settle(e, u);
         Stiffness k = Stiffness::Zero();
         Coupling coupling = Coupling::Zero();
         for (const Point& p : points_.of(e)) {
@@ -174,7 +185,7 @@ template<class Shape> double ElementBody<Shape>::strain_energy(const Eigen::Vect
     double energy = 0;
     for (int e = 0; e < points_.own_elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
-        if (enhanced_) relax_modes(e, u);
+        settle(e, u);
         for (const Point& p : points_.of(e)) energy += p.volume * law_->energy(deformation(p, u, e));
     }
     return energy;
@@ -185,7 +196,7 @@ template<class Shape> std::vector<double> ElementBody<Shape>::stress(const Eigen
     std::vector<double> result;
     for (int e = 0; e < points_.own_elements(); ++e) {
         const Nodal u = points_.gather(displacement, e);
-        if (enhanced_) relax_modes(e, u);
+        settle(e, u);
         Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
         for (const Point& p : points_.of(e)) mean += law_->cauchy(deformation(p, u, e)) / points_.count();
         for (int i = 0; i < 3; ++i)

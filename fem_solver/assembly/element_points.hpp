@@ -37,9 +37,9 @@ public:
             const Nodal x = positions(e);
             for (const auto& gauss : rule_) {
                 const Nodal reference = Shape::gradients(gauss.xi);
-                const Modes jacobian = x * reference.transpose();
-                points_.push_back(
-                    {jacobian.inverse().transpose() * reference, Modes::Zero(), gauss.weight * jacobian.determinant()});
+                const Modes jacobian = times_transposed(x, reference);
+                const Modes inverse = jacobian.inverse().transpose();
+                points_.push_back({inverse * reference, Modes::Zero(), gauss.weight * jacobian.determinant()});
             }
         }
     }
@@ -73,6 +73,9 @@ public:
         return gather(Eigen::Map<const Eigen::VectorXd>(coordinates_.data(), std::ssize(coordinates_)), element);
     }
 
+    /// a b^T as a plain sum over the nodes: Eigen's blocked product costs seconds of compilation and is no faster here.
+    static Modes times_transposed(const Nodal& a, const Nodal& b) { return a.lazyProduct(b.transpose()); }
+
     /// Adds the consistent mass, integral of rho N_a N_b dV.
     void add_mass(double density, const MatrixPattern& pattern, Matrix& matrix) const
     {
@@ -82,7 +85,7 @@ public:
             Stiffness m = Stiffness::Zero();
             for (const auto& gauss : rule) {
                 const auto n = Shape::values(gauss.xi);
-                const Modes jacobian = x * Shape::gradients(gauss.xi).transpose();
+                const Modes jacobian = times_transposed(x, Shape::gradients(gauss.xi));
                 const double mass = density * gauss.weight * jacobian.determinant();
                 for (int b = 0; b < N; ++b)
                     for (int a = 0; a < N; ++a)

@@ -13,6 +13,7 @@ template<class FaceShape> struct FaceIntegrals {
     static constexpr int N = FaceShape::nodes;
     using Positions = Eigen::Matrix<double, D, N>;
     using Point = GaussPoint<FaceShape::dimension>;
+    using Tangents = Eigen::Matrix<double, D, D - 1>;
 
     static Positions current(const Mesh& mesh, const int* nodes, const Eigen::VectorXd& displacement)
     {
@@ -22,13 +23,18 @@ template<class FaceShape> struct FaceIntegrals {
         return x;
     }
 
+    /// dx/dxi. The product of small matrices as a plain sum: Eigen's blocked one costs seconds of compilation.
+    static Tangents tangents(const Positions& x, const Point& point)
+    {
+        return x.lazyProduct(FaceShape::gradients(point.xi).transpose());
+    }
+
     /// Adds -p N_a n da of one integration point.
     static void add_force(const int* nodes, const Positions& x, const Point& point, double pressure,
                           Eigen::VectorXd& force)
     {
         const auto n = FaceShape::values(point.xi);
-        const Eigen::Matrix<double, D, D - 1> tangents = x * FaceShape::gradients(point.xi).transpose();
-        const Eigen::Matrix<double, D, 1> f = -pressure * point.weight * face_normal(tangents);
+        const Eigen::Matrix<double, D, 1> f = -pressure * point.weight * face_normal(tangents(x, point));
         for (int a = 0; a < N; ++a) force.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D) += n[a] * f;
     }
 
@@ -38,10 +44,10 @@ template<class FaceShape> struct FaceIntegrals {
     {
         const auto n = FaceShape::values(point.xi);
         const Eigen::Matrix<double, D - 1, N> gradients = FaceShape::gradients(point.xi);
-        const Eigen::Matrix<double, D, D - 1> tangents = x * gradients.transpose();
+        const Tangents along = tangents(x, point);
         for (int b = 0; b < N; ++b) {
             const Eigen::Matrix<double, D - 1, 1> gradient = gradients.col(b);
-            const Eigen::Matrix<double, D, D> s = pressure * point.weight * face_normal_derivative(tangents, gradient);
+            const Eigen::Matrix<double, D, D> s = pressure * point.weight * face_normal_derivative(along, gradient);
             for (int a = 0; a < N; ++a) pattern.add_block(matrix, nodes[a], nodes[b], n[a] * s);
         }
     }

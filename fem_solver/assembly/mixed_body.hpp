@@ -42,7 +42,7 @@ public:
             const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
             Gram gram = Gram::Zero();
             for (int q = 0; q < points_.count(); ++q) {
-                const Eigen::Matrix<double, D, 1> at = x * Shape::values(points_.rule()[q].xi).transpose();
+                const Eigen::Matrix<double, D, 1> at = x.lazyProduct(Shape::values(points_.rule()[q].xi).transpose());
                 Basis basis = Basis::Ones();
                 if constexpr (M > 1) basis.template tail<D>() = (at - centre) / size;
                 gram += points_.of(e)[q].volume * basis * basis.transpose();
@@ -63,7 +63,9 @@ public:
                 const auto& p = points_.of(e)[q];
                 const Tensor<D>& f = deformed.f[q];
                 const double j_pressure = deformed.j[q] * pressure.dot(basis_of(e)[q]);
-                nodal += p.volume * (shape_.stress(at(e, q), f) + j_pressure * f.inverse().transpose()) * p.gradient;
+                const Tensor<D> h = f.inverse().transpose();
+                const Tensor<D> stress = p.volume * (shape_.stress(at(e, q), f) + j_pressure * h);
+                nodal.noalias() += stress.lazyProduct(p.gradient);
             }
             points_.scatter(nodal, e, force);
         }
@@ -148,7 +150,7 @@ private:
         deformed_.j.resize(points.size());
         deformed_.least = std::numeric_limits<double>::infinity();
         for (std::size_t q = 0; q < points.size(); ++q) {
-            deformed_.f[q] = Tensor<D>::Identity() + u * points[q].gradient.transpose();
+            deformed_.f[q] = Tensor<D>::Identity() + points_.times_transposed(u, points[q].gradient);
             deformed_.j[q] = deformed_.f[q].determinant();
             if (std::isnan(deformed_.j[q]) || deformed_.j[q] < deformed_.least) deformed_.least = deformed_.j[q];
         }
@@ -173,15 +175,17 @@ private:
         Eigen::Matrix<double, M, D* N> b = Eigen::Matrix<double, M, D * N>::Zero();
         for (int q = 0; q < points_.count(); ++q) {
             const auto& p = points_.of(e)[q];
-            const Tensor<D>&f = deformed.f[q], h = f.inverse().transpose();
+            const Tensor<D>& f = deformed.f[q];
+            const Tensor<D> h = f.inverse().transpose();
             const double j = p.volume * deformed.j[q];
             const Tangent<D> a =
                 p.volume * shape_.tangent(at(e, q), f) + j * pressure.dot(basis_of(e)[q]) * cofactor_slope(h);
             add_products<D>(a, p.gradient, p.gradient, k);
-            const Nodal slope = j * h * p.gradient; // dJ/du_a
-            b += basis_of(e)[q] * slope.reshaped().transpose();
+            const Nodal slope = (j * h).eval().lazyProduct(p.gradient); // dJ/du_a
+            for (int i = 0; i < D * N; ++i) b.col(i) += basis_of(e)[q] * slope.data()[i];
         }
-        k += bulk_ * b.transpose() * (inverse_gram_[e] * b);
+        const Eigen::Matrix<double, M, D* N> dilated = inverse_gram_[e].lazyProduct(b);
+        k.noalias() += (bulk_ * b).eval().transpose().lazyProduct(dilated);
         return k;
     }
     /// d(J h_ij)/dF_kl / J = h_ij h_kl - h_il h_kj

@@ -21,7 +21,8 @@ public:
             std::copy(nodes.begin(), nodes.end(), faces_.back().begin());
             const auto x = Integrals::current(mesh, nodes.data(), still);
             for (const auto& point : rule_) {
-                const Eigen::Matrix<double, Integrals::D, 1> position = x * FaceShape::values(point.xi).transpose();
+                const Eigen::Matrix<double, Integrals::D, 1> position =
+                    x.lazyProduct(FaceShape::values(point.xi).transpose());
                 pressure_.push_back(pressure(position.data()));
             }
         }
@@ -77,7 +78,7 @@ void add_traction(const Mesh& mesh, const std::vector<MeshFace>& faces, const st
         const auto nodes = mesh.face_nodes(face);
         const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), Eigen::VectorXd::Zero(force.size()));
         for (const auto& point : face_points<FaceShape>()) {
-            const Eigen::Matrix<double, D, D - 1> tangents = x * FaceShape::gradients(point.xi).transpose();
+            const auto tangents = FaceIntegrals<FaceShape>::tangents(x, point);
             const double area = point.weight * face_normal(tangents).norm();
             const auto n = FaceShape::values(point.xi);
             for (int a = 0; a < FaceShape::nodes; ++a)

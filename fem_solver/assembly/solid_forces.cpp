@@ -12,6 +12,11 @@ Forces Forces::zero(Eigen::Index dofs)
     return {z, z, z, z, z, z, z, z, {}};
 }
 
+Eigen::VectorXd Forces::unbalanced() const
+{
+    return internal + damping - gravity - loads - interface - correction - contact - friction;
+}
+
 Forces Forces::blend(double a, const Forces& other, double b) const
 {
     Forces sum{
@@ -73,6 +78,8 @@ void SolidForces::set_window(double share, const Forces& start)
     interface_start_ = (1 - share) * start.interface;
     correction_start_ = (1 - share) * start.correction;
 }
+
+Eigen::VectorXd SolidForces::inertia(const Eigen::VectorXd& field) const { return sparse_mass_ * field; }
 
 Inversion SolidForces::evaluate(const Motion& motion, double scale, Forces& forces, double time) const
 {

@@ -25,10 +25,7 @@ struct Forces {
 
     static Forces zero(Eigen::Index dofs);
     /// g = f_int + C v - f_ext, the unbalanced force without inertia.
-    Eigen::VectorXd unbalanced() const
-    {
-        return internal + damping - gravity - loads - interface - correction - contact - friction;
-    }
+    Eigen::VectorXd unbalanced() const;
     /// a times this plus b times other, origin by origin.
     Forces blend(double a, const Forces& other, double b) const;
 };
@@ -97,7 +94,7 @@ public:
     /// Potential of gravity, - g . M u; zero in the reference state.
     double potential_energy(const Motion& motion) const { return -map_.dot(motion.displacement, gravity_); }
     /// M times a field.
-    Eigen::VectorXd inertia(const Eigen::VectorXd& field) const { return sparse_mass_ * field; }
+    Eigen::VectorXd inertia(const Eigen::VectorXd& field) const;
     /// Round-off level of a nodal force, eps K max(4 h, 2 |u|) with the largest diagonal K, the element size h and the
     /// largest displacement: what a residual cannot fall below [N].
     double round_off(const Motion& motion) const

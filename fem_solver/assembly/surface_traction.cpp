@@ -12,7 +12,7 @@ template<class FaceShape> class FollowerTraction final : public Load {
     using Integrals = FaceIntegrals<FaceShape>;
     static constexpr int D = Integrals::D;
     static constexpr int N = Integrals::N;
-    using Tangents = Eigen::Matrix<double, D, D - 1>;
+    using Tangents = typename Integrals::Tangents;
 
     struct At {
         Eigen::Matrix<double, D - 1, 1> along; // c_k w |dA_0/dxi|
@@ -31,11 +31,13 @@ public:
             std::copy(nodes.begin(), nodes.end(), faces_.back().begin());
             const auto x = Integrals::current(mesh, nodes.data(), Eigen::VectorXd::Zero(std::ssize(mesh.coordinates)));
             for (const auto& point : rule_) {
-                const Tangents g = x * FaceShape::gradients(point.xi).transpose();
+                const Tangents g = Integrals::tangents(x, point);
                 const Eigen::Matrix<double, D, 1> normal = face_normal(g);
                 const double area = normal.norm(), outward = t.dot(normal) / area;
                 const Eigen::Matrix<double, D, 1> flat = t - outward * normal / area;
-                at_.push_back({point.weight * area * (g.transpose() * g).inverse() * (g.transpose() * flat), -outward});
+                const Eigen::Matrix<double, D - 1, D - 1> metric = g.transpose() * g;
+                const Eigen::Matrix<double, D - 1, 1> part = g.transpose() * flat;
+                at_.push_back({point.weight * area * metric.inverse() * part, -outward});
             }
         }
     }
@@ -48,8 +50,7 @@ public:
             for (const auto& point : rule_) {
                 Integrals::add_force(nodes.data(), x, point, scale * at->pressure, force);
                 const auto n = FaceShape::values(point.xi);
-                const Eigen::Matrix<double, D, 1> f =
-                    scale * (x * FaceShape::gradients(point.xi).transpose()) * at++->along;
+                const Eigen::Matrix<double, D, 1> f = scale * Integrals::tangents(x, point) * at++->along;
                 for (int a = 0; a < N; ++a)
                     force.template segment<D>(static_cast<Eigen::Index>(nodes[a]) * D) += n[a] * f;
             }
@@ -114,8 +115,7 @@ Matrix spring_stiffness(const Mesh& mesh, const MatrixPattern& pattern, const st
             const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), still);
             for (const auto& point : face_points<FaceShape>()) {
                 const auto n = FaceShape::values(point.xi);
-                const auto g = (x * FaceShape::gradients(point.xi).transpose()).eval();
-                const double area = point.weight * face_normal(g).norm();
+                const double area = point.weight * face_normal(FaceIntegrals<FaceShape>::tangents(x, point)).norm();
                 for (int b = 0; b < FaceShape::nodes; ++b)
                     for (int a = 0; a < FaceShape::nodes; ++a)
                         for (int k = 0; k < mesh.dimension; ++k)

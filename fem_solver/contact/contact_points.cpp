@@ -13,12 +13,10 @@ namespace {
 template<class FaceShape, class Action>
 void integrate(const Mesh& mesh, const std::vector<int>& nodes, const Eigen::VectorXd& displacement, Action&& action)
 {
-    constexpr int D = FaceIntegrals<FaceShape>::D;
     const auto x = FaceIntegrals<FaceShape>::current(mesh, nodes.data(), displacement);
-    for (const auto& point : face_points<FaceShape>()) {
-        const Eigen::Matrix<double, D, D - 1> along = x * FaceShape::gradients(point.xi).transpose();
-        action(FaceShape::values(point.xi), point.weight * face_normal(along).norm());
-    }
+    for (const auto& point : face_points<FaceShape>())
+        action(FaceShape::values(point.xi),
+               point.weight * face_normal(FaceIntegrals<FaceShape>::tangents(x, point)).norm());
 }
 
 double length_of(double area, int dimension) { return dimension == 2 ? area : std::sqrt(area); }

@@ -127,7 +127,7 @@ void check_jacobians(const Mesh& mesh)
         for (int e = 0; e < mesh.elements(); ++e) {
             const auto x = element_positions<Shape>(mesh, e);
             for (const auto& point : integration_points<Shape>(Shape::full_gauss)) {
-                const double det = (x * Shape::gradients(point.xi).transpose()).determinant();
+                const double det = x.lazyProduct(Shape::gradients(point.xi).transpose()).eval().determinant();
                 const int first = mesh.connectivity[static_cast<std::size_t>(e) * Shape::nodes];
                 base::require_input(det > 0, "element ", e, " (", name_of(mesh.type), ") with its first node at ",
                                     mesh.describe_node(first), " m has the Jacobian ", det,
