@@ -108,10 +108,10 @@ TYPED_TEST(Bodies, FacesPointOutwardAndClose)
         Eigen::Matrix<double, D, Face::nodes> x;
         for (int a = 0; a < Face::nodes; ++a) x.col(a) = corner<TypeParam>(face[a]);
         for (const auto& p : face_points<Face>()) {
-            const Eigen::Matrix<double, D, D - 1> tangents = x * Face::gradients(p.xi).transpose();
+            const Eigen::Matrix<double, D, D - 1> tangents = x.lazyProduct(Face::gradients(p.xi).transpose());
             const Eigen::Matrix<double, D, 1> n = p.weight * face_normal(tangents);
             sum += n;
-            volume += n.dot(x * Face::values(p.xi).transpose()) / D; // Gauss's theorem for the field x
+            volume += n.dot(x.lazyProduct(Face::values(p.xi).transpose())) / D; // Gauss's theorem for the field x
         }
     }
     EXPECT_LT(sum.norm(), 1e-14);
