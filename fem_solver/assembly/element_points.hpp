@@ -38,8 +38,8 @@ public:
             for (const auto& gauss : rule_) {
                 const Nodal reference = Shape::gradients(gauss.xi);
                 const Modes jacobian = times_transposed(x, reference);
-                const Modes inverse = jacobian.inverse().transpose();
-                points_.push_back({inverse * reference, Modes::Zero(), gauss.weight * jacobian.determinant()});
+                points_.push_back(
+                    {jacobian.inverse().transpose() * reference, Modes::Zero(), gauss.weight * jacobian.determinant()});
             }
         }
     }
