@@ -10,8 +10,8 @@ namespace {
 
 template<int D> void expect_the_plain_selection(int side)
 {
-    constexpr double dx = 0.1, support = 2.46 * dx;
-    auto particles = sample::jittered_lattice<D>(side, dx, 0.2, 1000.0);
+    constexpr double spacing = 0.1, support = 2.46 * spacing;
+    auto particles = sample::jittered_lattice<D>(side, spacing, 0.2, 1000.0);
     const auto reached = sample::reached_neighbours(particles, support);
     const auto exact = sample::brute_force_neighbours(particles, support);
     ASSERT_EQ(reached.rows(), exact.rows());
