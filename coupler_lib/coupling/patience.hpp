@@ -15,7 +15,7 @@ enum class WaitStyle {
     yield      ///< give the core away at once: for ranks that share cores
 };
 
-/// One wait: it spins for some ten microseconds, then gives its core away (sched_yield) for a millisecond, then sleeps
+/// One wait: it spins for some ten microseconds, then gives its core away (sched_yield) for a tenth of a millisecond, then sleeps
 /// 50 us at a time, so that ranks which share cores do not starve each other.
 class Patience {
 public:
@@ -50,7 +50,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr double yielding_time_ = 1e-3; // [s]
+    static constexpr double yielding_time_ = 1e-4; // [s]
     Clock::time_point start_ = Clock::now();
     std::int64_t turns_ = 0;
     std::int64_t spinning_turns_ = 200;
