@@ -23,7 +23,7 @@ Swing let_swing(double dt, const Softening& softening)
                                            [](const double* x) { return 500 * 9.81 * (0.14 - x[1]); }));
     Supports supports(gate.mesh);
     supports.fix("top", {"x", "y"});
-    SolidStep step(gate.mesh, forces, supports, Hht(0), {{1e-12, 50, 0.1}});
+    SolidStep step(gate.mesh, forces, supports, Hht(0), {{1e-10, 50, 0.1}});
     Motion motion = Motion::at_rest(forces.dofs());
     step.start(motion);
     Swing result;
