@@ -71,7 +71,7 @@ void FluidStep<D>::find_rates_with_kept_slopes(Particles<D>& particles, const Ro
     second_pass(inner); // while the state of the halo copies is on its way
     complete_state(particles);
     meet(particles, split_.halo, border);
-    images_.find(parts_.walls, records_, particles, in_reach_.reached());
+    find_images(particles);
     second_pass(border);
 }
 
@@ -98,11 +98,17 @@ template<int D> void FluidStep<D>::first_pass(const RowSet& rows)
     accumulate_fluid_gradients(gradient_sums_, records_, in_reach_.reached(), rows, model_);
 }
 
+template<int D> void FluidStep<D>::find_images(const Particles<D>& particles)
+{
+    const auto part = measure("walls: images", Work::image);
+    images_.find(parts_.walls, records_, particles, in_reach_.reached());
+}
+
 template<int D> void FluidStep<D>::first_pass_at_walls(Particles<D>& particles)
 {
+    find_images(particles);
     {
         const auto part = measure("pass 1: walls", Work::image);
-        images_.find(parts_.walls, records_, particles, in_reach_.reached());
         accumulate_wall_gradients(gradient_sums_, images_, parts_.walls, records_, model_);
     }
     const auto part = measure("pass 1: finish", Work::particle);

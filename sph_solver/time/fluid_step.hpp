@@ -80,6 +80,7 @@ private:
     void find_rates_with_kept_slopes(Particles<D>& particles, const RowSet& inner, const RowSet& border);
     void meet(const Particles<D>& particles, const std::vector<int>& which, const RowSet& rows);
     void first_pass(const RowSet& rows);
+    void find_images(const Particles<D>& particles);
     void first_pass_at_walls(Particles<D>& particles);
     void second_pass(const RowSet& rows);
     void second_pass_at_walls(const Particles<D>& particles);
