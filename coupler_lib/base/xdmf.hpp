@@ -21,8 +21,9 @@ struct XdmfTopology {
 struct XdmfField {
     std::string name, unit, description;
     int columns = 1;
-    std::function<std::vector<double>()> values;  ///< asked for when the field is written, so that one is in memory at a time
-    std::string centre = "Node";  ///< "Node" or "Cell"
+    std::function<std::vector<double>()>
+        values;                  ///< asked for when the field is written, so that one is in memory at a time
+    std::string centre = "Node"; ///< "Node" or "Cell"
 };
 
 /// A series of time steps in NAME.h5 with NAME.xdmf beside it, which ParaView opens.
@@ -34,7 +35,8 @@ public:
     XdmfWriter(const std::string& path_without_extension, const Communicator& comm);
 
     /// Collective. `points` holds three numbers for each point of this rank [m]; given up before the fields are made.
-    void write(double time, const XdmfTopology& topology, std::vector<double> points, const std::vector<XdmfField>& fields);
+    void write(double time, const XdmfTopology& topology, std::vector<double> points,
+               const std::vector<XdmfField>& fields);
 
 private:
     std::string grid_text(double time, const std::string& group, const XdmfTopology& topology, std::int64_t points,
@@ -47,4 +49,4 @@ private:
     std::vector<std::string> grids_;
 };
 
-}  // namespace base
+} // namespace base

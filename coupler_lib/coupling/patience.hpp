@@ -15,8 +15,8 @@ enum class WaitStyle {
     yield      ///< give the core away at once: for ranks that share cores
 };
 
-/// One wait: it spins for some ten microseconds, then gives its core away (sched_yield) for a tenth of a millisecond, then sleeps
-/// 50 us at a time, so that ranks which share cores do not starve each other.
+/// One wait: it spins for some ten microseconds, then gives its core away (sched_yield) for a tenth of a millisecond, then
+/// sleeps 50 us at a time, so that ranks which share cores do not starve each other.
 class Patience {
 public:
     explicit Patience(WaitStyle style = WaitStyle::automatic)

@@ -65,8 +65,7 @@ base::Table<NewtonConfig> newton_table()
               .positive = true})
         .key("predictor", &NewtonConfig::predictor,
              {.doc = "dynamic: first iterate of a step: displacements change as over the step before, or as the "
-                     "acceleration at "
-                     "its start has it, or not at all",
+                     "acceleration at its start has it, or not at all",
               .choices = {"continued", "constant_acceleration", "still"}});
 }
 

@@ -20,8 +20,8 @@ base::Table<TimeConfig> time_table()
              {.unit = "s", .doc = "end of the run, needed when the fluid runs alone", .min = 0})
         .key("cfl", &TimeConfig::cfl,
              {.unit = "-",
-              .doc = "dt is about cfl h / c, on a ladder of steps; clean up to 0.7 with rk2 and "
-                     "hybrid2, 0.9 with rk3, 1 with rk4, 1.6 with hybrid3",
+              .doc = "dt is about cfl h / c, on a ladder of steps; clean up to 0.7 with rk2, 0.9 "
+                     "with rk3, 1 with rk4, 1.6 with hybrid3",
               .max = 2.0,
               .positive = true})
         .key("fixed_dt", &TimeConfig::fixed_dt,
@@ -76,10 +76,9 @@ base::Table<NumericsConfig> numerics_table()
              {.doc = "area vectors of the faces: the kernel's raw gradients, or renormalised inside the water",
               .choices = {"raw", "renormalised"}})
         .key("integrator", &NumericsConfig::integrator,
-             {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order; midpoint rule with "
-                     "two or three "
-                     "stages whose slopes are made once a step",
-              .choices = {"rk2", "rk3", "rk4", "hybrid2", "hybrid3"}})
+             {.doc = "time integration: midpoint rule, Heun's third order, classical fourth order; midpoint rule of "
+                     "three stages whose slopes are made once a step",
+              .choices = {"rk2", "rk3", "rk4", "hybrid3"}})
         .key("trap_gap", &NumericsConfig::trap_gap,
              {.unit = "dx",
               .doc = "particles between two walls that have come nearer to each other are taken out and counted as "

@@ -19,11 +19,12 @@ std::vector<std::uint8_t> particles_of(const RowSet& rows, std::size_t particles
     return marks;
 }
 
-/// Is there one among these particles that has no row, which could solve its face? Empty marks: all have one.
-bool any_without_row(std::span<const int> particles, const std::vector<std::uint8_t>& marks)
+/// The neighbours before a row, where one of them has no row that could solve its face; else none.
+std::span<const int> to_solve(std::span<const int> ahead, const std::vector<std::uint8_t>& marks)
 {
-    return std::any_of(particles.begin(), particles.end(),
-                       [&](int j) { return marks[static_cast<std::size_t>(j)] == 0; });
+    const bool all =
+        std::all_of(ahead.begin(), ahead.end(), [&](int j) { return marks[static_cast<std::size_t>(j)] != 0; });
+    return all ? std::span<const int>{} : ahead;
 }
 
 template<int D, class AnyLimiter, class Motion, class Area>
@@ -36,11 +37,12 @@ void sum_fluxes(FluxField<D>& sums, const PairRecords<D>& records, const Reached
     const auto marks = particles_of(rows, records.size());
     PairBatch& pairs = batch.pairs();
     rows.for_each([&](std::size_t k, int i) {
-        const ReachedRow row = marks.empty() ? ReachedRow{} : neighbours.row(k, i);
-        if (any_without_row(row.ahead(), marks))
-            pairs.add(i, k, row.ahead(), row.behind());
-        else
+        if (marks.empty()) {
             pairs.take(i, k, 0, neighbours.unfold_behind(k, i, pairs.next()));
+        } else {
+            const ReachedRow row = neighbours.row(k, i);
+            pairs.add(i, k, to_solve(row.ahead(), marks), row.behind());
+        }
         if (pairs.full()) batch.solve(sums);
     });
     batch.solve(sums);

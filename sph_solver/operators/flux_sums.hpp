@@ -13,7 +13,8 @@ namespace sph {
 ///     mass = -sum S mf,   by_mass = -sum S mf v_e,   by_pressure = -sum S p_e n,   swept = sum S u_shift,
 ///     dilation = sum (v_j - v_i)/2 . a_ij + S u_fluid,   a_ij = S n or renormalised (numerics/pair_area.hpp)
 ///
-/// The dilation is the conjugate of the pressure, face by face. u_shift and u_fluid are what the faces' own motion sweeps (numerics/face_motion.hpp); the second belongs to the compression.
+/// The dilation is the conjugate of the pressure, face by face. u_shift and u_fluid are what the faces' own motion sweeps
+/// (numerics/face_motion.hpp); the second belongs to the compression.
 template<int D> struct FluxSums {
     double mass = 0;                     ///< dm/dt [kg/s]
     Vec<D> by_mass = Vec<D>::Zero();     ///< dP/dt carried by the mass flux [N]

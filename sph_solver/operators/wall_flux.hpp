@@ -20,8 +20,9 @@ template<int D> struct WallForces {
 
 /// Makes `forces` anew from the pressure. Every image is a neighbour across whose face no mass passes:
 ///
-///     force on i = -sum S p_e n,   dilation = sum S n.(v' - v_i)/2 (v' unpushed),   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
+///     force on i = -sum S p_e n,   dilation = sum S n.(v' - v_i)/2,   S = 2 w_i w' |W'|,   n = (x' - x_i)/|x' - x_i|
 ///
+/// (v' of the dilation without what pushing adds.)
 /// The opposite force goes to x_w of the plane; that of an image mirrored in two or three planes is resolved along
 /// their normals, each part to its own wall.
 /// \pre images.find for the present positions; records hold states and slopes of the present state.

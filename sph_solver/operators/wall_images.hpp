@@ -29,8 +29,8 @@ struct ImageGroup {
 /// All images of one evaluation, found once for both passes. Only the source and the share of its volume are kept for
 /// each image: where it is and what its state is follow from its group's planes (operators/image_packs.hpp).
 ///
-/// Groups of one plane without cuts share their weights. Groups are filled up to whole units with the particle itself at the weight zero. Their order, and that of the images in
-/// them, depends on the order of contacts and neighbours alone.
+/// Groups of one plane without cuts share their weights. Groups are filled up to whole units with the particle itself at
+/// the weight zero. Their order, and that of the images in them, depends on the order of contacts and neighbours alone.
 template<int D> class WallImages {
 public:
     /// \pre walls.find_contacts and records.load_states for the present positions; `neighbours` are those in reach.

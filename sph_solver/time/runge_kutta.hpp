@@ -27,14 +27,15 @@ struct Stage {
 /// Whatever else is integrated over the step (work, impulses, dissipations) takes the same weights b_s, else balances
 /// do not close.
 ///
-/// The stages of "hybrid3" are chosen for the pair fluxes, whose fastest modes are damped and hardly oscillate: their eigenvalues reach
-/// far along the negative axis, where three stages of second order can go three times as far as two. Slopes kept through the step
-/// cost no order (what they are late by, c dt, multiplies what they correct, dx) and lengthen the step that is stable (docs/theory/fluid.md).
-/// (Stages that skip a part of the residual: Jameson 1985; stages for smoothing: van Leer, Tai and Powell 1989.)
+/// The stages of "hybrid3" are chosen for the pair fluxes, whose fastest modes are damped and hardly oscillate: their
+/// eigenvalues reach far along the negative axis, where three stages of second order can go three times as far as two.
+/// Slopes kept through the step cost no order (what they are late by, c dt, multiplies what they correct, dx) and lengthen
+/// the step that is stable (docs/theory/fluid.md). Stages that skip a part of the residual: Jameson 1985; stages for
+/// smoothing: van Leer, Tai and Powell 1989.
 class RungeKutta {
 public:
     /// \param name "rk2" (midpoint, the default: clean up to dt = 0.7 h/c), "rk3" (Heun, 0.9), "rk4" (classical, 1.0);
-    /// with slopes kept "hybrid2" (midpoint, 0.7), "hybrid3" (1.6). Throws Error(bad_input) for another name.
+    /// "hybrid3" (midpoint with slopes kept, 1.6). Throws Error(bad_input) for another name.
     explicit RungeKutta(const std::string& name = "rk2");
 
     const std::vector<Stage>& stages() const { return stages_; }

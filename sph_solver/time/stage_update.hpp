@@ -26,8 +26,8 @@ private:
     inline static const Conserved no_change{Vec<D>::Zero(), Vec<D>::Zero(), 0.0, 0.0};
 
     std::vector<Conserved> start_; ///< y_n
-    std::vector<Conserved>
-        change_; ///< dt sum b_s k_s so far; empty before the first stage that counts and is not the last
+    /// dt sum b_s k_s so far; empty before the first stage that counts and is not the last.
+    std::vector<Conserved> change_;
 };
 
 } // namespace sph

@@ -26,7 +26,8 @@ std::vector<double> read_dataset(const std::string& file, const std::string& pat
 TEST(Xdmf, GathersTheRowsOfAllRanks)
 {
     const auto world = base::Communicator::world();
-    const auto path = (std::filesystem::temp_directory_path() / ("rivage_xdmf_" + std::to_string(world.size()))).string();
+    const auto path =
+        (std::filesystem::temp_directory_path() / ("rivage_xdmf_" + std::to_string(world.size()))).string();
     std::vector<double> points, pressure, expected;
     for (int k = 0; k < world.rank(); ++k) {
         points.insert(points.end(), {1.0 * k, 2.0 * world.rank(), 0.0});
@@ -54,4 +55,4 @@ TEST(Xdmf, GathersTheRowsOfAllRanks)
     }
 }
 
-}  // namespace
+} // namespace

@@ -52,7 +52,6 @@ double observed_order(const std::string& name)
 TEST(RungeKutta, HasItsOrder)
 {
     EXPECT_NEAR(observed_order("rk2"), 2.0, 0.15);
-    EXPECT_NEAR(observed_order("hybrid2"), 2.0, 0.15);
     EXPECT_NEAR(observed_order("hybrid3"), 2.0, 0.15);
     EXPECT_NEAR(observed_order("rk3"), 3.0, 0.15);
     EXPECT_NEAR(observed_order("rk4"), 4.0, 0.15);
@@ -60,7 +59,7 @@ TEST(RungeKutta, HasItsOrder)
 
 TEST(RungeKutta, WeightsIntegrateConstantAndLinearRates)
 {
-    for (const char* name : {"rk2", "rk3", "rk4", "hybrid2", "hybrid3"}) {
+    for (const char* name : {"rk2", "rk3", "rk4", "hybrid3"}) {
         const RungeKutta method(name);
         double sum = 0, moment = 0;
         for (const Stage& stage : method.stages()) {
@@ -75,7 +74,7 @@ TEST(RungeKutta, WeightsIntegrateConstantAndLinearRates)
 
 TEST(RungeKutta, FirstStageMakesSlopes)
 {
-    for (const char* name : {"rk2", "rk3", "rk4", "hybrid2", "hybrid3"})
+    for (const char* name : {"rk2", "rk3", "rk4", "hybrid3"})
         EXPECT_EQ(RungeKutta(name).stages().front().slopes, Slopes::made) << name;
 }
 
